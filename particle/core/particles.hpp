@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <vector>
+
+namespace surge {
+
+template <int D>
+using Vec = std::array<double, D>;
+
+/// Allocator of cache-line-aligned memory, so that vector loads never straddle lines.
+template <class T>
+struct AlignedAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  AlignedAllocator() = default;
+  template <class U>
+  AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, alignment); }
+  template <class U>
+  bool operator==(const AlignedAllocator<U>&) const noexcept {
+    return true;
+  }
+};
+
+template <class T>
+using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+using Field = AlignedVector<double>;
+
+/// The values written to frames, in this order.
+enum class ParticleType : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
+
+/// Particles as structure of arrays. The order changes during a run (particles are kept in cell
+/// order); `id` names a particle for good.
+template <int D>
+struct Particles {
+  std::array<Field, D> x;  ///< position, m
+  std::array<Field, D> v;  ///< velocity, m/s; zero for walls
+  Field pressure;          ///< Pa
+  Field density;           ///< SPH: rho, kg/m3. MPS: particle number density n, dimensionless
+  AlignedVector<ParticleType> type;
+  AlignedVector<std::int32_t> id;
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+  [[nodiscard]] Vec<D> position(std::size_t i) const {
+    Vec<D> p;
+    for (int a = 0; a < D; ++a) p[a] = x[a][i];
+    return p;
+  }
+  [[nodiscard]] Vec<D> velocity(std::size_t i) const {
+    Vec<D> u;
+    for (int a = 0; a < D; ++a) u[a] = v[a][i];
+    return u;
+  }
+
+  void resize(std::size_t n) {
+    for (int a = 0; a < D; ++a) {
+      x[a].resize(n);
+      v[a].resize(n);
+    }
+    pressure.resize(n);
+    density.resize(n);
+    type.resize(n);
+    id.resize(n);
+  }
+};
+
+}  // namespace surge

@@ -1,0 +1,34 @@
+#pragma once
+
+namespace surge::mps {
+
+/// What lambda of the Laplacian model, Eq. (7), is set to.
+enum class Lambda {
+  paper,     ///< re^2/12, as printed in Eq. (8)
+  analytic,  ///< re^2/6 (2D), the value of the integrals in Eq. (8)
+  lattice    ///< the sum over the initial lattice
+};
+
+enum class PpeSolver {
+  iccg,    ///< conjugate gradients with incomplete Cholesky (Eigen), the paper's
+  cholmod  ///< supernodal sparse Cholesky (SuiteSparse)
+};
+
+enum class NegativePressure { keep, clip };
+
+/// Choices of the MPS method. Lengths are in units of the particle spacing l0.
+struct Params {
+  double re_gradient = 2.1;   ///< number density, gradient and free surface
+  double re_laplacian = 4.0;  ///< Laplacian
+  Lambda lambda = Lambda::paper;
+  double beta = 0.97;               ///< Eq. (14): free surface where n < beta n0
+  double source_relaxation = 1.0;   ///< factor on the right side of Eq. (12)
+  NegativePressure negative_pressure = NegativePressure::clip;
+  PpeSolver ppe_solver = PpeSolver::iccg;
+  double ppe_tolerance = 1e-6;  ///< relative residual
+  int ppe_max_iterations = 2000;
+  double collision_distance = 0.5;     ///< particles closer than this and approaching collide
+  double collision_restitution = 0.2;  ///< ratio of relative normal speeds after and before
+};
+
+}  // namespace surge::mps
