@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace surge::compare {
+
+/// What the program returns to the shell.
+enum ExitCode : int { exit_success = 0, exit_error = 1, exit_check_failed = 2, exit_skipped = 77 };
+
+/// Each adds a subcommand. Its callback does the work and stores what main returns in exit_code.
+void add_front_command(CLI::App& app);
+void add_metrics_command(CLI::App& app);
+void add_check_command(CLI::App& app, int& exit_code);
+
+}  // namespace surge::compare
