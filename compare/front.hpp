@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -47,9 +48,9 @@ struct DimensionlessFront {
 /// water that is connected to the main body within the strip above the floor. Particles: centre
 /// + l0/2, connected by the linking length. Mesh: the alpha = 0.5 contour of the corner values
 /// (means of the cells around), connected through the mesh. The main body is the connected
-/// region with the most water. Throws surge::Error where no water is in the strip.
-[[nodiscard]] double leading_edge(const ParticleFrame& frame, const Physics& physics,
-                                  Metres spacing, const FrontOptions& options);
+/// region with the most water. Empty where it has no water in the strip.
+[[nodiscard]] std::optional<double> leading_edge(const ParticleFrame& frame, const Physics& physics,
+                                                 Metres spacing, const FrontOptions& options);
 
 /// The mesh's part of leading_edge: corners, faces and weights are found once for all frames.
 class MeshFront {
@@ -58,15 +59,17 @@ class MeshFront {
   ~MeshFront();
   MeshFront(MeshFront&&) noexcept;
   MeshFront& operator=(MeshFront&&) noexcept;
-  [[nodiscard]] double leading_edge(const MeshFrame& frame, const Physics& physics,
-                                    const FrontOptions& options);
+  [[nodiscard]] std::optional<double> leading_edge(const MeshFrame& frame, const Physics& physics,
+                                                   const FrontOptions& options);
 
  private:
   struct Topology;
   std::unique_ptr<Topology> topology_;
 };
 
-/// Reads all frames of a run, one at a time.
+/// Reads the frames of a run, one at a time, until one has no leading edge any more (a broken run):
+/// the history is then shorter than run.frames->times(). Throws surge::Error where the first frame
+/// has none.
 [[nodiscard]] FrontHistory measure_front(Run& run, const FrontOptions& options);
 
 [[nodiscard]] DimensionlessFront dimensionless(const FrontHistory& history, const Scales& scales);

@@ -12,7 +12,7 @@ namespace surge::compare {
 
 using Vec3 = std::array<double, 3>;
 
-struct Bounds {
+struct Extent {
   Vec3 lower{};  ///< m
   Vec3 upper{};  ///< m
 };
@@ -22,8 +22,8 @@ struct Bounds {
 struct Physics {
   int dimension = 2;
   Vec3 gravity{0.0, -9.81, 0.0};              ///< m/s2
-  Bounds column;                              ///< the fluid block at time zero; its width is L
-  std::optional<Bounds> tank;                 ///< in 2D the z entries mean nothing
+  Extent column;                              ///< the fluid block at time zero; its width is L
+  std::optional<Extent> tank;                 ///< m; an entry that is not known is not finite
   std::optional<double> density;              ///< of the water, kg/m3
   std::optional<double> kinematic_viscosity;  ///< of the water, m2/s
   std::optional<std::string> wall;            ///< "slip" or "no-slip"
@@ -50,8 +50,8 @@ struct PhysicsComparison {
   std::vector<std::string> not_stated;  ///< keys that one of the two files does not state
 };
 
-/// Keys: dimension, gravity, column, column-height, tank, density, viscosity, wall. Lengths agree
-/// within 0.1 % of L, other numbers within 1e-6 relative.
+/// Keys: dimension, gravity, column-width, column-height, tank-width, tank-height, density,
+/// viscosity, wall. Lengths agree within 0.1 % of L, other numbers within 1e-6 relative.
 [[nodiscard]] PhysicsComparison compare_physics(const Physics& a, const std::string& name_a,
                                                 const Physics& b, const std::string& name_b);
 

@@ -27,6 +27,7 @@ struct Fields {
 /// The fluid particles of one time (walls and dummies are left out).
 struct ParticleFrame {
   Seconds time;
+  std::size_t nonfinite = 0;     ///< fluid particles left out because a coordinate is not finite
   std::vector<Vec3> position;    ///< m
   std::vector<double> pressure;  ///< Pa; empty unless asked for
   std::vector<Vec3> velocity;    ///< m/s; empty unless asked for
@@ -35,9 +36,8 @@ struct ParticleFrame {
 /// A volume-fraction field of one time on its mesh.
 struct MeshFrame {
   Seconds time;
-  /// Cell arrays: alpha(), and if asked for `p` (Pa, static) and `U` (m/s). The grid object is the
-  /// same from frame to frame while the mesh does not change. Cell corners that processors of a
-  /// decomposed case share are separate points here.
+  /// Cell arrays: alpha_name, and if asked for `p` (Pa) and `U` (m/s) where the case has them.
+  /// Corners that processors of a decomposed case share are separate points here.
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   std::string alpha_name;     ///< name of the cell array with the volume fraction
   std::vector<double> alpha;  ///< volume fraction of water per cell
@@ -52,7 +52,7 @@ class FrameReader {
   virtual ~FrameReader() = default;
   /// Increasing; never empty.
   [[nodiscard]] virtual const std::vector<Seconds>& times() const = 0;
-  /// Throws surge::Error with the file's name where a frame is missing, cut short or not finite.
+  /// Throws surge::Error with the file's name where a frame or an array is missing or cut short.
   [[nodiscard]] virtual Frame read(std::size_t index, Fields fields) = 0;
 };
 
