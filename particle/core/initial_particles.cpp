@@ -1,0 +1,195 @@
+#include "particle/core/initial_particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace surge {
+namespace {
+
+template <int D>
+void append(Particles<D>& p, const Vec<D>& x, const Vec<D>& v, ParticleType type) {
+  for (int a = 0; a < D; ++a) {
+    p.x[a].push_back(x[a]);
+    p.v[a].push_back(v[a]);
+  }
+  p.type.push_back(type);
+  p.id.push_back(static_cast<std::int32_t>(p.id.size()));
+  p.pressure.push_back(0.0);
+  p.density.push_back(0.0);
+}
+
+/// Calls f(index) for all index tuples in [lower, upper).
+template <int D, class F>
+void for_each_cell(const std::array<int, D>& lower, const std::array<int, D>& upper, F&& f) {
+  for (int a = 0; a < D; ++a)
+    if (lower[a] >= upper[a]) return;
+  std::array<int, D> k = lower;
+  while (true) {
+    f(k);
+    int a = 0;
+    while (a < D && ++k[a] == upper[a]) k[a] = lower[a], ++a;
+    if (a == D) return;
+  }
+}
+
+template <int D>
+std::array<int, D> cells_of(const Box& box, double l0) {
+  std::array<int, D> n;
+  for (int a = 0; a < D; ++a) n[a] = static_cast<int>(std::lround((box.upper[a] - box.lower[a]) / l0));
+  return n;
+}
+
+template <int D>
+Vec<D> cell_centre(const Box& box, const std::array<int, D>& k, double l0) {
+  Vec<D> x;
+  for (int a = 0; a < D; ++a) x[a] = box.lower[a] + (k[a] + 0.5) * l0;
+  return x;
+}
+
+Point block_velocity(const FluidBlock& block, const Point& x) {
+  Point v = block.velocity;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b)
+      v[a] += block.velocity_gradient[a][b] * (x[b] - 0.5 * (block.box.lower[b] + block.box.upper[b]));
+  return v;
+}
+
+bool inside_ball(const Box& box, const Point& x, int dimension) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    const double radius = 0.5 * (box.upper[a] - box.lower[a]);
+    const double offset = (x[a] - 0.5 * (box.lower[a] + box.upper[a])) / radius;
+    sum += offset * offset;
+  }
+  return sum < 1.0;
+}
+
+template <int D>
+Point as_point(const Vec<D>& x) {
+  Point p{};
+  std::copy(x.begin(), x.end(), p.begin());
+  return p;
+}
+
+template <int D>
+void add_block(Particles<D>& p, const FluidBlock& block, double l0) {
+  for_each_cell<D>({}, cells_of<D>(block.box, l0), [&](const std::array<int, D>& k) {
+    const Vec<D> x = cell_centre<D>(block.box, k, l0);
+    const Point point = as_point<D>(x);
+    if (block.shape == FluidBlock::Shape::ball && !inside_ball(block.box, point, D)) return;
+    const Point velocity = block_velocity(block, point);
+    Vec<D> v;
+    std::copy_n(velocity.begin(), D, v.begin());
+    append<D>(p, x, v, ParticleType::fluid);
+  });
+}
+
+ParticleType layer_type(int layer) { return layer == 1 ? ParticleType::wall : ParticleType::dummy; }
+
+template <int D>
+void add_tank(Particles<D>& p, const Tank& tank, double l0, int layers) {
+  const auto n = cells_of<D>(tank.box, l0);
+  std::array<int, D> lower;
+  std::array<int, D> upper;
+  for (int a = 0; a < D; ++a) {
+    lower[a] = tank.periodic[a] ? 0 : -layers;
+    upper[a] = n[a] - lower[a];
+  }
+  for_each_cell<D>(lower, upper, [&](const std::array<int, D>& k) {
+    int layer = 0;
+    for (int a = 0; a < D; ++a) {
+      const int below = -k[a];
+      const int above = k[a] - n[a] + 1;
+      const auto side = static_cast<std::size_t>(2 * a);
+      if ((below > 0 && tank.open[side]) || (above > 0 && tank.open[side + 1])) return;
+      layer = std::max({layer, below, above});
+    }
+    if (layer > 0) append<D>(p, cell_centre<D>(tank.box, k, l0), Vec<D>{}, layer_type(layer));
+  });
+}
+
+template <int D>
+void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
+  const auto n = cells_of<D>(box, l0);
+  for_each_cell<D>({}, n, [&](const std::array<int, D>& k) {
+    int layer = std::numeric_limits<int>::max();
+    for (int a = 0; a < D; ++a) layer = std::min({layer, k[a] + 1, n[a] - k[a]});
+    if (layer <= layers) append<D>(p, cell_centre<D>(box, k, l0), Vec<D>{}, layer_type(layer));
+  });
+}
+
+double length(const Point& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/// Height of a point of the box above the box's lowest point, along -gravity: its extent.
+double extent_along(const Box& box, const Point& direction) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) sum += std::abs(direction[a]) * (box.upper[a] - box.lower[a]);
+  return sum;
+}
+
+}  // namespace
+
+template <int D>
+Particles<D> initial_particles(const Case& c, int wall_layers) {
+  Particles<D> p;
+  for (const FluidBlock& block : c.blocks) add_block<D>(p, block, c.spacing);
+  if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
+  for (const Box& box : c.obstacles) add_obstacle<D>(p, box, c.spacing, wall_layers);
+  return p;
+}
+
+template <int D>
+double initial_depth(const Case& c, const Vec<D>& x, double reach) {
+  const double g = length(c.gravity);
+  if (g == 0.0) return 0.0;
+  double depth = 0.0;
+  for (const FluidBlock& block : c.blocks) {
+    double outside = 0.0;
+    double below_top = 0.0;
+    for (int a = 0; a < D; ++a) {
+      const double lower = block.box.lower[a];
+      const double upper = block.box.upper[a];
+      const double gap = std::max({0.0, lower - x[a], x[a] - upper});
+      outside += gap * gap;
+      const double top = c.gravity[a] < 0.0 ? upper : lower;
+      below_top += c.gravity[a] / g * (x[a] - top);
+    }
+    if (outside <= reach * reach) depth = std::max(depth, below_top);
+  }
+  return depth;
+}
+
+double reference_speed(const Case& c) {
+  const double g = length(c.gravity);
+  double speed = 0.0;
+  for (const FluidBlock& block : c.blocks) {
+    // The fluid can fall from the top of its block to the tank's floor.
+    double height = 0.0;
+    if (g > 0.0) {
+      const Point down{c.gravity[0] / g, c.gravity[1] / g, c.gravity[2] / g};
+      height = extent_along(block.box, down);
+      if (c.has_tank) {
+        for (std::size_t a = 0; a < 3; ++a) {
+          const double drop = down[a] < 0.0 ? block.box.lower[a] - c.tank.box.lower[a]
+                                            : c.tank.box.upper[a] - block.box.upper[a];
+          height += std::abs(down[a]) * drop;
+        }
+      }
+    }
+    speed = std::max(speed, std::sqrt(2.0 * g * height));
+    for (int corner = 0; corner < 8; ++corner) {
+      Point x;
+      for (std::size_t a = 0; a < 3; ++a) x[a] = (corner >> a & 1) != 0 ? block.box.upper[a] : block.box.lower[a];
+      speed = std::max(speed, length(block_velocity(block, x)));
+    }
+  }
+  return speed;
+}
+
+template Particles<2> initial_particles<2>(const Case&, int);
+template Particles<3> initial_particles<3>(const Case&, int);
+template double initial_depth<2>(const Case&, const Vec<2>&, double);
+template double initial_depth<3>(const Case&, const Vec<3>&, double);
+
+}  // namespace surge

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "particle/core/particles.hpp"
+#include "particle/io/case.hpp"
+
+namespace surge {
+
+/// The particles at time zero: fluid on a lattice of spacing l0 inside the blocks, and `wall_layers`
+/// layers of fixed particles outside the tank's walls and inside the obstacles. The layer next to
+/// the fluid has type wall, the others dummy. Fluid comes first; ids count from 0 in that order.
+/// Pressure and density are zero.
+template <int D>
+Particles<D> initial_particles(const Case& c, int wall_layers);
+
+/// Depth below the top of the fluid block that a point lies in or next to (within `reach`), along
+/// gravity, m; 0 where there is no such block or no gravity. For hydrostatic initial states.
+template <int D>
+double initial_depth(const Case& c, const Vec<D>& x, double reach);
+
+/// sqrt(2 g H), H the height of the highest block along gravity above the tank's floor, or the
+/// largest initial speed, whichever is larger: the speed scale of a case, m/s.
+double reference_speed(const Case& c);
+
+}  // namespace surge

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "particle/io/case.hpp"
+
+namespace surge {
+
+// Eq. (25)
+/// The longest step (s) for which Cr = v_max dt / l0 stays within the Courant number of the case,
+/// and never longer than its maximum.
+inline double courant_step(const TimeControl& control, double spacing, double v_max) {
+  const double limit = v_max > 0.0 ? control.courant * spacing / v_max : std::numeric_limits<double>::max();
+  return std::min(limit, control.maximum_step);
+}
+
+}  // namespace surge

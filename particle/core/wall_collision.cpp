@@ -1,0 +1,120 @@
+#include "particle/core/wall_collision.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace surge {
+
+template <int D>
+WallCollision<D>::WallCollision(const Case& c, double distance, double restitution)
+    : has_tank_(c.has_tank),
+      tank_(c.tank),
+      solid_(c.obstacles),
+      expanded_(c.obstacles),
+      distance_(distance),
+      restitution_(restitution) {
+  for (Box& box : expanded_) {
+    for (int a = 0; a < D; ++a) {
+      box.lower[a] -= distance;
+      box.upper[a] += distance;
+    }
+  }
+}
+
+template <int D>
+bool WallCollision<D>::apply(const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const {
+  bool met = false;
+  // What glances off one obstacle can meet the next; more than a few in one step do not happen.
+  for (int pass = 0; pass < 4; ++pass) {
+    bool again = false;
+    for (const Box& box : expanded_) again = keep_out(box, start, end, velocity) || again;
+    again = keep_in_tank(end, velocity) || again;
+    if (!again) break;
+    met = true;
+  }
+  return met;
+}
+
+template <int D>
+bool WallCollision<D>::keep_in_tank(Vec<D>& end, Vec<D>& velocity) const {
+  if (!has_tank_) return false;
+  bool met = false;
+  for (int a = 0; a < D; ++a) {
+    if (tank_.periodic[a]) continue;
+    const auto side = static_cast<std::size_t>(2 * a);
+    const double lower = tank_.box.lower[a] + distance_;
+    const double upper = tank_.box.upper[a] - distance_;
+    // The tank is convex, so a path from inside has crossed a wall just when its end lies beyond.
+    if (!tank_.open[side] && end[a] < lower) {
+      end[a] = std::min(lower + restitution_ * (lower - end[a]), upper);
+      velocity[a] = velocity[a] < 0.0 ? -restitution_ * velocity[a] : velocity[a];
+      met = true;
+    } else if (!tank_.open[side + 1] && end[a] > upper) {
+      end[a] = std::max(upper - restitution_ * (end[a] - upper), lower);
+      velocity[a] = velocity[a] > 0.0 ? -restitution_ * velocity[a] : velocity[a];
+      met = true;
+    }
+  }
+  return met;
+}
+
+template <int D>
+bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const {
+  // Slab test: the part [enter, leave] of the path, in units of its length, that lies in the box.
+  double enter = -std::numeric_limits<double>::max();
+  double leave = std::numeric_limits<double>::max();
+  int face_axis = -1;
+  double face_sign = 0.0;
+  for (int a = 0; a < D; ++a) {
+    const double path = end[a] - start[a];
+    if (path == 0.0) {
+      if (start[a] <= box.lower[a] || start[a] >= box.upper[a]) return false;
+      continue;
+    }
+    const double to_lower = (box.lower[a] - start[a]) / path;
+    const double to_upper = (box.upper[a] - start[a]) / path;
+    const double near = std::min(to_lower, to_upper);
+    if (near > enter) {
+      enter = near;
+      face_axis = a;
+      face_sign = path > 0.0 ? -1.0 : 1.0;
+    }
+    leave = std::min(leave, std::max(to_lower, to_upper));
+  }
+  if (enter >= leave || leave <= 0.0 || enter >= 1.0) return false;
+  if (enter < 0.0) {
+    // The path starts inside: out through the nearest face of its end.
+    if (leave < 1.0) return false;
+    double least = std::numeric_limits<double>::max();
+    for (int a = 0; a < D; ++a) {
+      if (end[a] - box.lower[a] < least) least = end[a] - box.lower[a], face_axis = a, face_sign = -1.0;
+      if (box.upper[a] - end[a] < least) least = box.upper[a] - end[a], face_axis = a, face_sign = 1.0;
+    }
+  }
+  if (face_axis < 0) return false;
+  const double face = face_sign < 0.0 ? box.lower[face_axis] : box.upper[face_axis];
+  const double beyond = (face - end[face_axis]) * face_sign;
+  if (beyond <= 0.0) return false;
+  end[face_axis] = face + face_sign * restitution_ * beyond;
+  if (velocity[face_axis] * face_sign < 0.0) velocity[face_axis] *= -restitution_;
+  return true;
+}
+
+template <int D>
+bool WallCollision<D>::is_lost(const Vec<D>& x) const {
+  const auto inside = [&](const Box& box) {
+    for (int a = 0; a < D; ++a)
+      if (x[a] <= box.lower[a] || x[a] >= box.upper[a]) return false;
+    return true;
+  };
+  if (has_tank_) {
+    for (int a = 0; a < D; ++a)
+      if (!tank_.periodic[a] && (x[a] < tank_.box.lower[a] || x[a] > tank_.box.upper[a])) return true;
+  }
+  return std::any_of(solid_.begin(), solid_.end(), inside);
+}
+
+template class WallCollision<2>;
+template class WallCollision<3>;
+
+}  // namespace surge

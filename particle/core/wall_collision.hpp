@@ -1,0 +1,36 @@
+#pragma once
+
+#include "particle/core/particles.hpp"
+#include "particle/io/case.hpp"
+
+namespace surge {
+
+/// Keeps particles on the fluid's side of the walls, looking at the whole path of a step and not
+/// only at its end, so that none passes a wall however fast it is or however thin the obstacle.
+/// A wall here is the plane `distance` in front of the solid surface.
+template <int D>
+class WallCollision {
+ public:
+  /// distance: m; restitution: ratio of normal speeds after and before, 0 to 1
+  WallCollision(const Case& c, double distance, double restitution);
+
+  /// Corrects the end of the straight path from `start` to `end` and the velocity. Returns whether
+  /// the path met a wall. `start` need not be free of walls: a particle inside one is pushed out.
+  bool apply(const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
+
+  /// Whether x lies outside the tank (open sides included) or inside an obstacle.
+  [[nodiscard]] bool is_lost(const Vec<D>& x) const;
+
+ private:
+  bool keep_in_tank(Vec<D>& end, Vec<D>& velocity) const;
+  bool keep_out(const Box& obstacle, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
+
+  bool has_tank_;
+  Tank tank_;
+  std::vector<Box> solid_;     ///< obstacles as they are
+  std::vector<Box> expanded_;  ///< obstacles grown by the distance
+  double distance_;
+  double restitution_;
+};
+
+}  // namespace surge

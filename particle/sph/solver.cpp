@@ -1,0 +1,422 @@
+#include "particle/sph/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "particle/core/initial_particles.hpp"
+#include "particle/core/time_step.hpp"
+#include "particle/sph/continuity.hpp"
+#include "particle/sph/momentum.hpp"
+#include "particle/sph/xsph.hpp"
+
+namespace surge::sph {
+namespace {
+
+constexpr double tiny = 1e-30;  ///< m^2, keeps 1/r finite for a particle and itself
+
+template <int D>
+std::variant<QuinticSpline<D>, WendlandC2<D>> make_kernel(Kernel kernel, double h) {
+  if (kernel == Kernel::wendland_c2) return WendlandC2<D>(h);
+  return QuinticSpline<D>(h);
+}
+
+double support_of(Kernel kernel) { return kernel == Kernel::wendland_c2 ? 2.0 : 3.0; }
+
+int wall_layers(const Params& params) {
+  return static_cast<int>(std::ceil(support_of(params.kernel) * params.h_over_l0 - 1e-9));
+}
+
+template <int D>
+double norm(const Vec<D>& v) {
+  double sum = 0.0;
+  for (const double c : v) sum += c * c;
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+template <int D>
+Solver<D>::Solver(const Case& c)
+    : params_(std::get<Params>(c.method)),
+      control_(c.time),
+      spacing_(c.spacing),
+      rho0_(c.density),
+      nu_(c.kinematic_viscosity),
+      no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip),
+      h_(params_.h_over_l0 * c.spacing),
+      c0_(params_.sound_speed_ratio * reference_speed(c)),
+      mass_(c.density * std::pow(c.spacing, D)),
+      kernel_(make_kernel<D>(params_.kernel, h_)),
+      state_(c.density, c0_, params_.gamma),
+      walls_(c, params_.wall_distance * c.spacing, params_.wall_restitution),
+      p_(initial_particles<D>(c, wall_layers(params_))),
+      grid_(c.search, periodicity_of<D>(c)) {
+  const auto scope = clock_.measure(Phase::setup);
+  std::copy_n(c.gravity.begin(), D, gravity_.begin());
+  const std::size_t n = p_.size();
+  for (int a = 0; a < D; ++a) {
+    acceleration_[a].assign(n, 0.0);
+    xsph_[a].assign(n, 0.0);
+    xsph_old_[a].assign(n, 0.0);
+  }
+  density_rate_.assign(n, 0.0);
+  fluid_volume_.assign(n, 0.0);
+  p_over_rho2_.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    p_.density[i] = hydrostatic_density(state_, rho0_, norm<D>(gravity_),
+                                        initial_depth<D>(c, p_.position(i), support_of(params_.kernel) * h_));
+  measure_speed();
+  sort_particles(stable_step());
+  StepReport ignored;
+  apply_equation_of_state(ignored);
+  apply_momentum();
+}
+
+template <int D>
+double Solver<D>::stable_step() const {
+  double dt = courant_step(control_, spacing_, v_max_);
+  if (params_.acoustic_courant > 0.0) dt = std::min(dt, params_.acoustic_courant * h_ / (c0_ + v_max_));
+  return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
+}
+
+template <int D>
+StepReport Solver<D>::step(double dt_limit) {
+  StepReport report;
+  const double dt = std::min(stable_step(), dt_limit);
+  kick(0.5 * dt);
+  sort_particles(dt);
+  half_drift(dt);
+  apply_continuity(dt);
+  drift(dt, report);
+  apply_equation_of_state(report);
+  apply_momentum();
+  kick(0.5 * dt);
+  measure_speed();
+  time_ += dt;
+  ++steps_;
+  report.dt = dt;
+  report.v_max = v_max_;
+  report.courant = v_max_ * dt / spacing_;
+  return report;
+}
+
+template <int D>
+template <class F>
+void Solver<D>::for_each_fluid(F&& f) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (is_fluid(static_cast<std::size_t>(i))) f(static_cast<std::size_t>(i));
+}
+
+template <int D>
+void Solver<D>::sort_particles(double dt) {
+  const auto scope = clock_.measure(Phase::neighbours);
+  // XSPH moves a particle by no more than the fastest one; twice the path because two may approach.
+  const double path = v_max_ * dt;
+  moved_since_sort_ += path;
+  if (steps_ > 0 && 2.0 * moved_since_sort_ <= skin_) return;
+  skin_ = std::max(0.1 * spacing_, 2.5 * path);
+  moved_since_sort_ = path;
+  grid_.build(p_.x, support_of(params_.kernel) * h_ + skin_, 2);
+  grid_.reorder(p_);
+  for (int a = 0; a < D; ++a) grid_.reorder(xsph_[a]);
+  fluid_before_.resize(p_.size() + 1);
+  fluid_before_[0] = 0;
+  for (std::size_t i = 0; i < p_.size(); ++i) fluid_before_[i + 1] = fluid_before_[i] + (is_fluid(i) ? 1 : 0);
+}
+
+template <int D>
+bool Solver<D>::near_fluid(std::size_t cell) const {
+  bool found = false;
+  grid_.for_each_segment(cell, [&](const auto& s) { found = found || fluid_before_[s.end] > fluid_before_[s.begin]; });
+  return found;
+}
+
+template <int D>
+void Solver<D>::kick(double dt) {
+  const auto scope = clock_.measure(Phase::forces);
+  for_each_fluid([&](std::size_t i) {
+    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * acceleration_[a][i];
+  });
+}
+
+template <int D>
+void Solver<D>::half_drift(double dt) {
+  const auto scope = clock_.measure(Phase::forces);
+  for (int a = 0; a < D; ++a) xsph_old_[a].swap(xsph_[a]);
+  for_each_fluid([&](std::size_t i) {
+    for (int a = 0; a < D; ++a) p_.x[a][i] += 0.5 * dt * (p_.v[a][i] + xsph_old_[a][i]);
+  });
+}
+
+template <int D>
+void Solver<D>::apply_continuity(double dt) {
+  const auto scope = clock_.measure(Phase::forces);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    fluid_volume_[i] = p_.type[i] == ParticleType::fluid ? mass_ / p_.density[i] : 0.0;
+    density_rate_[i] = 0.0;
+  }
+  std::visit(
+      [&](const auto& kernel) {
+        using K = std::decay_t<decltype(kernel)>;
+        if (params_.density_diffusion > 0.0) continuity_pass<K, true>(kernel);
+        else continuity_pass<K, false>(kernel);
+      },
+      kernel_);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) p_.density[i] += dt * density_rate_[i];
+}
+
+template <int D>
+template <class K, bool Diffusion>
+void Solver<D>::continuity_pass(const K& kernel) {
+  constexpr int fields = Diffusion ? 2 * D + 2 : 2 * D + 1;
+  std::array<const double*, fields> source;
+  for (int a = 0; a < D; ++a) {
+    source[a] = p_.x[a].data();
+    source[D + a] = p_.v[a].data();
+  }
+  source[2 * D] = fluid_volume_.data();
+  if constexpr (Diffusion) source[2 * D + 1] = p_.density.data();
+  const bool walls_too = params_.wall_density == WallDensity::continuity;
+  const double diffusion = params_.density_diffusion * h_ * c0_;
+
+  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
+    const bool fluid = is_fluid(i);
+    if (!fluid && !walls_too) return;
+    std::array<Simd, D> xi;
+    std::array<Simd, D> vi;
+    std::array<Simd, D> moved{};
+    for (int a = 0; a < D; ++a) {
+      xi[a] = p_.x[a][i];
+      vi[a] = p_.v[a][i];
+    }
+    Simd divergence = 0.0;
+    Simd diffused = 0.0;
+    [[maybe_unused]] const Simd rho_i = p_.density[i];
+    for (std::size_t j = 0; j < tile.count; j += simd_width) {
+      std::array<Simd, D> dx;
+      std::array<Simd, D> dv;
+      Simd r2 = tiny;
+      for (int a = 0; a < D; ++a) {
+        dx[a] = load(tile.field[a] + j) - xi[a];
+        dv[a] = load(tile.field[D + a] + j) - vi[a];
+        r2 += dx[a] * dx[a];
+      }
+      const Simd r = stdx::sqrt(r2);
+      const Simd slope = kernel.derivative(r) / r;
+      const Simd volume = load(tile.field[2 * D] + j);
+      divergence += continuity<Simd, D>(dv, dx, slope);
+      const Simd weight = xsph_weight(volume, kernel.value(r));
+      for (int a = 0; a < D; ++a) moved[a] += weight * dv[a];
+      if constexpr (Diffusion) diffused += density_diffusion(load(tile.field[2 * D + 1] + j) - rho_i, volume, slope);
+    }
+    double rate = mass_ * stdx::reduce(divergence);
+    if (fluid) {
+      if constexpr (Diffusion) rate += diffusion * stdx::reduce(diffused);
+      for (int a = 0; a < D; ++a) xsph_[a][i] = params_.xsph_epsilon * stdx::reduce(moved[a]);
+    }
+    density_rate_[i] = rate;
+  };
+  const auto wanted = [&](std::size_t cell) { return near_fluid(cell); };
+  if constexpr (Diffusion) pair_loop<D, fields>(grid_, diffusion_tiles_, source, wanted, body);
+  else pair_loop<D, fields>(grid_, continuity_tiles_, source, wanted, body);
+}
+
+template <int D>
+void Solver<D>::drift(double dt, StepReport& report) {
+  const auto scope = clock_.measure(Phase::forces);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  long collisions = 0;
+  long lost = 0;
+#pragma omp parallel for schedule(static) reduction(+ : collisions, lost)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (p_.type[i] != ParticleType::fluid) continue;
+    Vec<D> start;
+    Vec<D> end;
+    Vec<D> v;
+    for (int a = 0; a < D; ++a) {
+      v[a] = p_.v[a][i];
+      start[a] = p_.x[a][i] - 0.5 * dt * (v[a] + xsph_old_[a][i]);
+      end[a] = start[a] + dt * (v[a] + xsph_[a][i]);
+    }
+    if (walls_.apply(start, end, v)) {
+      ++collisions;
+      for (int a = 0; a < D; ++a) p_.v[a][i] = v[a];
+    }
+    for (int a = 0; a < D; ++a) p_.x[a][i] = end[a];
+    if (walls_.is_lost(end)) ++lost;
+  }
+  report.wall_collisions = collisions;
+  report.lost = lost;
+}
+
+template <int D>
+void Solver<D>::apply_equation_of_state(StepReport& report) {
+  const auto scope = clock_.measure(Phase::pressure);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  const bool clip = params_.negative_pressure == NegativePressure::clip;
+  long clipped = 0;
+#pragma omp parallel for schedule(static) reduction(+ : clipped)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    double p = state_.pressure(p_.density[i]);
+    if (clip && p < 0.0) {
+      p = 0.0;
+      clipped += p_.type[i] == ParticleType::fluid ? 1 : 0;
+    }
+    p_.pressure[i] = p;
+  }
+  report.clipped = clipped;
+  if (params_.wall_density == WallDensity::extrapolated)
+    std::visit([&](const auto& kernel) { extrapolate_to_walls(kernel); }, kernel_);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) p_over_rho2_[i] = p_.pressure[i] / (p_.density[i] * p_.density[i]);
+}
+
+/// Pressure of a wall particle from the fluid around it, with the hydrostatic difference (Adami, Hu &
+/// Adams 2012, J. Comput. Phys. 231, Eq. 27 for a wall at rest):
+///   p_w = sum_f [ p_f + rho_f g . (x_w - x_f) ] W_wf / sum_f W_wf,
+/// and its density from the equation of state. Negative values are set to zero: walls do not suck.
+template <int D>
+template <class K>
+void Solver<D>::extrapolate_to_walls(const K& kernel) {
+  constexpr int fields = D + 3;
+  std::array<const double*, fields> source;
+  for (int a = 0; a < D; ++a) source[a] = p_.x[a].data();
+  source[D] = p_.pressure.data();
+  source[D + 1] = p_.density.data();
+  source[D + 2] = fluid_volume_.data();
+  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
+    if (is_fluid(i)) return;
+    std::array<Simd, D> xi;
+    for (int a = 0; a < D; ++a) xi[a] = p_.x[a][i];
+    Simd weights = 0.0;
+    Simd pressures = 0.0;
+    for (std::size_t j = 0; j < tile.count; j += simd_width) {
+      Simd r2 = tiny;
+      Simd head = 0.0;
+      for (int a = 0; a < D; ++a) {
+        const Simd dx = load(tile.field[a] + j) - xi[a];
+        r2 += dx * dx;
+        head -= Simd(gravity_[a]) * dx;
+      }
+      Simd weight = kernel.value(Simd(stdx::sqrt(r2)));
+      stdx::where(load(tile.field[D + 2] + j) == 0.0, weight) = 0.0;
+      weights += weight;
+      pressures += weight * (load(tile.field[D] + j) + load(tile.field[D + 1] + j) * head);
+    }
+    const double sum = stdx::reduce(weights);
+    p_.pressure[i] = sum > 0.0 ? std::max(0.0, stdx::reduce(pressures) / sum) : 0.0;
+    p_.density[i] = state_.density(p_.pressure[i]);
+  };
+  pair_loop<D, fields>(grid_, wall_tiles_, source, [&](std::size_t cell) { return near_fluid(cell); }, body);
+}
+
+template <int D>
+void Solver<D>::apply_momentum() {
+  const auto scope = clock_.measure(Phase::forces);
+  const bool viscous = params_.artificial_viscosity > 0.0 || nu_ > 0.0;
+  std::visit(
+      [&](const auto& kernel) {
+        using K = std::decay_t<decltype(kernel)>;
+        if (viscous) momentum_pass<K, true>(kernel);
+        else momentum_pass<K, false>(kernel);
+      },
+      kernel_);
+}
+
+// Eq. (23)
+/// D v/Dt = pressure term, Eq. (22), + gravity, which the paper adds in words, + viscous terms where
+/// they are on.
+template <int D>
+template <class K, bool Viscous>
+void Solver<D>::momentum_pass(const K& kernel) {
+  constexpr int fields = Viscous ? 2 * D + 3 : D + 1;
+  std::array<const double*, fields> source;
+  for (int a = 0; a < D; ++a) source[a] = p_.x[a].data();
+  source[D] = p_over_rho2_.data();
+  if constexpr (Viscous) {
+    for (int a = 0; a < D; ++a) source[D + 1 + a] = p_.v[a].data();
+    source[2 * D + 1] = p_.density.data();
+    source[2 * D + 2] = fluid_volume_.data();
+  }
+  const double alpha_c0_h = params_.artificial_viscosity * c0_ * h_;
+  const double h2 = h_ * h_;
+
+  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
+    if (!is_fluid(i)) return;
+    std::array<Simd, D> xi;
+    std::array<Simd, D> force{};
+    [[maybe_unused]] std::array<Simd, D> vi;
+    [[maybe_unused]] std::array<Simd, D> friction{};
+    for (int a = 0; a < D; ++a) {
+      xi[a] = p_.x[a][i];
+      vi[a] = p_.v[a][i];
+    }
+    const Simd pi = p_over_rho2_[i];
+    [[maybe_unused]] const Simd rho_i = p_.density[i];
+    for (std::size_t j = 0; j < tile.count; j += simd_width) {
+      std::array<Simd, D> dx;
+      Simd r2 = tiny;
+      for (int a = 0; a < D; ++a) {
+        dx[a] = load(tile.field[a] + j) - xi[a];
+        r2 += dx[a] * dx[a];
+      }
+      const Simd r = stdx::sqrt(r2);
+      const Simd slope = kernel.derivative(r) / r;
+      Simd factor = pressure_term(pi, load(tile.field[D] + j), slope);
+      if constexpr (Viscous) {
+        std::array<Simd, D> dv;
+        Simd approach = 0.0;
+        for (int a = 0; a < D; ++a) {
+          dv[a] = load(tile.field[D + 1 + a] + j) - vi[a];
+          approach += dv[a] * dx[a];
+        }
+        const Simd rho_j = load(tile.field[2 * D + 1] + j);
+        const Simd volume = load(tile.field[2 * D + 2] + j);
+        // Padding has no density; slip walls exert no friction.
+        const Simd mean = stdx::max(Simd(0.5) * (rho_i + rho_j), Simd(1e-3));
+        Simd artificial = artificial_viscosity(approach, r2, mean, alpha_c0_h, h2) * slope;
+        stdx::where(volume == 0.0, artificial) = 0.0;
+        factor += artificial;
+        Simd rubbing_volume = volume;
+        if (no_slip_) rubbing_volume = Simd(mass_) / stdx::max(rho_j, Simd(1e-3));
+        const Simd rub = laminar_viscosity(r2, slope, rubbing_volume, nu_, h2);
+        for (int a = 0; a < D; ++a) friction[a] += rub * dv[a];
+      }
+      for (int a = 0; a < D; ++a) force[a] += factor * dx[a];
+    }
+    for (int a = 0; a < D; ++a) {
+      double sum = mass_ * stdx::reduce(force[a]) + gravity_[a];
+      if constexpr (Viscous) sum += stdx::reduce(friction[a]);
+      acceleration_[a][i] = sum;
+    }
+  };
+  const auto wanted = [&](std::size_t cell) {
+    const auto [begin, end] = grid_.particles_of(cell);
+    return fluid_before_[end] > fluid_before_[begin];
+  };
+  if constexpr (Viscous) pair_loop<D, fields>(grid_, viscous_tiles_, source, wanted, body);
+  else pair_loop<D, fields>(grid_, momentum_tiles_, source, wanted, body);
+}
+
+template <int D>
+void Solver<D>::measure_speed() {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  double fastest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : fastest)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    double v2 = 0.0;
+    for (int a = 0; a < D; ++a) v2 += p_.v[a][i] * p_.v[a][i];
+    fastest = std::max(fastest, v2);
+  }
+  v_max_ = std::sqrt(fastest);
+}
+
+template class Solver<2>;
+template class Solver<3>;
+
+}  // namespace surge::sph

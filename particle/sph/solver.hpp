@@ -1,0 +1,105 @@
+#pragma once
+
+#include <variant>
+
+#include "particle/core/cell_grid.hpp"
+#include "particle/core/clock.hpp"
+#include "particle/core/pair_loop.hpp"
+#include "particle/core/particles.hpp"
+#include "particle/core/step_report.hpp"
+#include "particle/core/wall_collision.hpp"
+#include "particle/io/case.hpp"
+#include "particle/kernel/quintic_spline.hpp"
+#include "particle/kernel/wendland_c2.hpp"
+#include "particle/sph/equation_of_state.hpp"
+
+namespace surge::sph {
+
+/// Weakly compressible SPH as in the paper, Fig. 5, advanced by the leap-frog scheme.
+///
+/// One step from t to t + dt, with a the acceleration at the start:
+///   v += dt/2 a                                   (kick)
+///   rho += dt D rho/Dt at the half step           (continuity, Eq. 20)
+///   x += dt (v + XSPH), held back at walls        (drift, Eq. 24)
+///   p from the equation of state                  (Eq. 21)
+///   a from pressure, viscosity and gravity        (Eqs. 22, 23)
+///   v += dt/2 a                                   (kick)
+/// Positions and densities are staggered against velocities, so the scheme is second order and adds
+/// no dissipation of its own (Adami, Hu & Adams 2012 use the same staggering).
+template <int D>
+class Solver {
+ public:
+  explicit Solver(const Case& c);
+
+  /// Advances by stable_step() or dt_limit (s), whichever is shorter.
+  StepReport step(double dt_limit);
+  /// Eq. (25), and dt <= acoustic_courant h / (c0 + v_max) where that limit is on.
+  [[nodiscard]] double stable_step() const;
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const Particles<D>& particles() const { return p_; }
+  [[nodiscard]] Clock& clock() { return clock_; }
+  [[nodiscard]] double sound_speed() const { return c0_; }
+  [[nodiscard]] double particle_mass() const { return mass_; }
+
+ private:
+  using Kernel = std::variant<QuinticSpline<D>, WendlandC2<D>>;
+
+  void sort_particles(double dt);
+  void kick(double dt);
+  void half_drift(double dt);
+  void apply_continuity(double dt);
+  template <class K, bool Diffusion>
+  void continuity_pass(const K& kernel);
+  void drift(double dt, StepReport& report);
+  void apply_equation_of_state(StepReport& report);
+  template <class K>
+  void extrapolate_to_walls(const K& kernel);
+  void apply_momentum();
+  template <class K, bool Viscous>
+  void momentum_pass(const K& kernel);
+  void measure_speed();
+  [[nodiscard]] bool near_fluid(std::size_t cell) const;
+  [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
+  template <class F>
+  void for_each_fluid(F&& f);
+
+  Params params_;
+  TimeControl control_;
+  double spacing_;
+  double rho0_;
+  double nu_;
+  bool no_slip_;
+  Vec<D> gravity_{};
+  double h_;
+  double c0_;
+  double mass_;
+  Kernel kernel_;
+  EquationOfState state_;
+  WallCollision<D> walls_;
+
+  Particles<D> p_;
+  std::array<Field, D> acceleration_;
+  std::array<Field, D> xsph_;      ///< velocity correction of Eq. (24)
+  std::array<Field, D> xsph_old_;  ///< the one before, which the half drift used
+  Field density_rate_;
+  Field fluid_volume_;   ///< m/rho of fluid particles, 0 for walls
+  Field p_over_rho2_;
+  std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
+
+  CellGrid<D> grid_;
+  std::vector<TileBuffer<D, 2 * D + 1>> continuity_tiles_;
+  std::vector<TileBuffer<D, 2 * D + 2>> diffusion_tiles_;
+  std::vector<TileBuffer<D, D + 1>> momentum_tiles_;
+  std::vector<TileBuffer<D, 2 * D + 3>> viscous_tiles_;
+  std::vector<TileBuffer<D, D + 3>> wall_tiles_;
+
+  double time_ = 0.0;
+  long steps_ = 0;
+  double v_max_ = 0.0;
+  double skin_ = 0.0;             ///< by how much the grid reaches beyond the kernel, m
+  double moved_since_sort_ = 0.0;  ///< bound on any particle's path since the last sort, m
+  Clock clock_;
+};
+
+}  // namespace surge::sph
