@@ -29,6 +29,7 @@ struct Params {
   int ppe_max_iterations = 2000;
   double collision_distance = 0.5;     ///< particles closer than this and approaching collide
   double collision_restitution = 0.2;  ///< ratio of relative normal speeds after and before
+  double wall_distance = 0.0;          ///< no centre comes closer to a solid surface than this
 };
 
 }  // namespace surge::mps

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "particle/core/neighbour_list.hpp"
+#include "particle/mps/poisson_system.hpp"
+
+namespace surge::mps {
+
+// Eq. (12)
+/// Right side of the pressure Poisson equation with its sign turned, Pa/m^2:
+///   -<lap P>_i = rho/dt^2 (n*_i - n0)/n0, times a relaxation factor (1 in the paper).
+inline double poisson_source(double n, double n0, double rho, double dt, double relaxation) {
+  return relaxation * rho / (dt * dt) * (n - n0) / n0;
+}
+
+/// Assembles Eq. (12) with the Laplacian model of Eq. (7) for the particles with an unknown pressure
+/// (`unknown[i]` >= 0 numbers them, in the order of i). Neighbours on the free surface have p = 0
+/// and stay in the diagonal only; dummy particles have no pressure and are left out.
+template <int D>
+class PoissonAssembly {
+ public:
+  /// re: effective radius of the Laplacian, m; factor: laplacian_factor(), 1/m^2
+  PoissonAssembly(double re, double factor, double spacing) : re_(re), factor_(factor) {
+    system_.dimension = D;
+    system_.spacing = spacing;
+  }
+
+  /// Fills rows, coordinates and diagonal. The right side is left to the caller (rhs[unknown[i]]).
+  const PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
+                                const Displacement<D>& displacement, const AlignedVector<std::int32_t>& unknown,
+                                std::size_t unknowns);
+
+  [[nodiscard]] PoissonSystem& system() { return system_; }
+
+ private:
+  double re_;
+  double factor_;
+  PoissonSystem system_;
+};
+
+}  // namespace surge::mps

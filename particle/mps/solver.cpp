@@ -1,0 +1,275 @@
+#include "particle/mps/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "particle/core/initial_particles.hpp"
+#include "particle/core/time_step.hpp"
+#include "particle/mps/free_surface.hpp"
+#include "particle/mps/gradient.hpp"
+#include "particle/mps/laplacian.hpp"
+#include "particle/mps/number_density.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::mps {
+namespace {
+
+constexpr int wall_layers = 3;  ///< the paper's; the inner one carries pressure
+
+template <int D>
+double factor_of(const Params& params, double l0) {
+  return laplacian_factor<D>(reference_number_density<D>(params.re_laplacian),
+                             laplacian_lambda<D>(params.lambda, params.re_laplacian, l0));
+}
+
+}  // namespace
+
+template <int D>
+Solver<D>::Solver(const Case& c)
+    : params_(std::get<Params>(c.method)),
+      control_(c.time),
+      spacing_(c.spacing),
+      rho_(c.density),
+      nu_(c.kinematic_viscosity),
+      no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip),
+      re_(params_.re_gradient * c.spacing),
+      re_laplacian_(params_.re_laplacian * c.spacing),
+      n0_(reference_number_density<D>(params_.re_gradient)),
+      laplacian_factor_(factor_of<D>(params_, c.spacing)),
+      collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
+      walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
+      p_(initial_particles<D>(c, wall_layers)),
+      grid_(c.search, periodicity_of<D>(c)),
+      periodicity_(periodicity_of<D>(c)),
+      assembly_(re_laplacian_, laplacian_factor_, c.spacing),
+      pressure_solver_(params_) {
+  const auto scope = clock_.measure(Phase::setup);
+  std::copy_n(c.gravity.begin(), D, gravity_.begin());
+  for (int a = 0; a < D; ++a) correction_[a].assign(p_.size(), 0.0);
+  unknown_.assign(p_.size(), -1);
+  find_neighbours();
+  compute_number_density();
+  StepReport ignored;
+  measure_speed(ignored);
+}
+
+template <int D>
+double Solver<D>::stable_step() const {
+  const double dt = courant_step(control_, spacing_, v_max_);
+  return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
+}
+
+template <int D>
+StepReport Solver<D>::step(double dt_limit) {
+  StepReport report;
+  const double dt = std::min(stable_step(), dt_limit);
+  apply_body_forces(dt);
+  move(dt, p_.v, report);
+  find_neighbours();
+  collide(dt, report);
+  compute_number_density();
+  find_free_surface();
+  solve_pressure(dt, report);
+  correct(dt, report);
+  measure_speed(report);
+  time_ += dt;
+  ++steps_;
+  report.dt = dt;
+  report.courant = v_max_ * dt / spacing_;
+  return report;
+}
+
+template <int D>
+template <class F>
+void Solver<D>::for_each_fluid(F&& f) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (is_fluid(static_cast<std::size_t>(i))) f(static_cast<std::size_t>(i));
+}
+
+/// Temporal velocity v* = v + dt (g + nu lap v).
+template <int D>
+void Solver<D>::apply_body_forces(double dt) {
+  const auto scope = clock_.measure(Phase::forces);
+  if (nu_ > 0.0) add_viscosity(dt);
+  for_each_fluid([&](std::size_t i) {
+    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * gravity_[a];
+  });
+}
+
+/// nu lap v by the Laplacian model, with the neighbours of the step before. A no-slip wall is at
+/// rest and counts; a slip wall does not.
+template <int D>
+void Solver<D>::add_viscosity(double dt) {
+  const Displacement<D> displacement(p_.x, periodicity_);
+  for_each_fluid([&](std::size_t i) {
+    for (int a = 0; a < D; ++a)
+      correction_[a][i] = nu_ * laplacian_factor_ *
+                          laplacian_sum<D>(
+                              i, list_.of(i), displacement, re_laplacian_, [&](std::size_t j) { return p_.v[a][j]; },
+                              [&](std::size_t j) { return no_slip_ || is_fluid(j); });
+  });
+  for_each_fluid([&](std::size_t i) {
+    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * correction_[a][i];
+  });
+}
+
+/// x += dt velocity for the fluid, held back at walls.
+template <int D>
+void Solver<D>::move(double dt, const std::array<Field, D>& velocity, StepReport& report) {
+  const auto scope = clock_.measure(Phase::forces);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  long collisions = 0;
+  long lost = 0;
+#pragma omp parallel for schedule(static) reduction(+ : collisions, lost)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (p_.type[i] != ParticleType::fluid) continue;
+    Vec<D> start;
+    Vec<D> end;
+    Vec<D> v;
+    for (int a = 0; a < D; ++a) {
+      start[a] = p_.x[a][i];
+      end[a] = start[a] + dt * velocity[a][i];
+      v[a] = p_.v[a][i];
+    }
+    if (walls_.apply(start, end, v)) {
+      ++collisions;
+      for (int a = 0; a < D; ++a) p_.v[a][i] = v[a];
+    }
+    for (int a = 0; a < D; ++a) p_.x[a][i] = end[a];
+    if (walls_.is_lost(end)) ++lost;
+  }
+  report.wall_collisions += collisions;
+  report.lost = lost;
+}
+
+template <int D>
+void Solver<D>::find_neighbours() {
+  const auto scope = clock_.measure(Phase::neighbours);
+  grid_.build(p_.x, re_laplacian_, 2);
+  grid_.reorder(p_);
+  list_.build(grid_, p_.x, re_laplacian_, [&](std::size_t i) { return has_pressure(i); });
+}
+
+template <int D>
+void Solver<D>::collide(double dt, StepReport& report) {
+  long collisions = 0;
+  {
+    const auto scope = clock_.measure(Phase::forces);
+    const Displacement<D> displacement(p_.x, periodicity_);
+    const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static) reduction(+ : collisions)
+    for (std::ptrdiff_t k = 0; k < n; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (!is_fluid(i)) continue;
+      const Vec<D> change = collision_.velocity_change(
+          i, list_.of(i), displacement, p_.v, [&](std::size_t j) { return !is_fluid(j); }, collisions);
+      for (int a = 0; a < D; ++a) correction_[a][i] = change[a];
+    }
+    if (collisions == 0) return;
+    for_each_fluid([&](std::size_t i) {
+      for (int a = 0; a < D; ++a) p_.v[a][i] += correction_[a][i];
+    });
+  }
+  report.particle_collisions = collisions;
+  move(dt, correction_, report);
+  find_neighbours();
+}
+
+template <int D>
+void Solver<D>::compute_number_density() {
+  const auto scope = clock_.measure(Phase::pressure);
+  const Displacement<D> displacement(p_.x, periodicity_);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (has_pressure(i)) p_.density[i] = number_density<D>(i, list_.of(i), displacement, re_);
+  }
+}
+
+/// Numbers the particles whose pressure is unknown; the others get p = 0.
+template <int D>
+void Solver<D>::find_free_surface() {
+  const auto scope = clock_.measure(Phase::pressure);
+  unknowns_ = 0;
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    const bool solved = has_pressure(i) && !on_free_surface(p_.density[i], params_.beta, n0_);
+    unknown_[i] = solved ? static_cast<std::int32_t>(unknowns_++) : -1;
+    if (!solved) p_.pressure[i] = 0.0;
+  }
+}
+
+template <int D>
+void Solver<D>::solve_pressure(double dt, StepReport& report) {
+  const auto scope = clock_.measure(Phase::pressure);
+  assembly_.assemble(p_, list_, Displacement<D>(p_.x, periodicity_), unknown_, unknowns_);
+  PoissonSystem& system = assembly_.system();
+  unknown_pressure_.resize(unknowns_);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (unknown_[i] < 0) continue;
+    system.rhs[unknown_[i]] = poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation);
+    unknown_pressure_[unknown_[i]] = p_.pressure[i];
+  }
+  const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
+  report.ppe_iterations = solve.iterations;
+  report.ppe_residual = solve.residual;
+  const bool clip = params_.negative_pressure == NegativePressure::clip;
+  long clipped = 0;
+#pragma omp parallel for schedule(static) reduction(+ : clipped)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (unknown_[i] < 0) continue;
+    double p = unknown_pressure_[unknown_[i]];
+    if (clip && p < 0.0) {
+      p = 0.0;
+      clipped += p_.type[i] == ParticleType::fluid ? 1 : 0;
+    }
+    p_.pressure[i] = p;
+  }
+  report.clipped = clipped;
+}
+
+// Eq. (11)
+/// v' = -dt/rho grad P. The gradient is Eq. (13), in which the neighbourhood minimum of Eq. (6)
+/// stands where the paper prints P_i.
+template <int D>
+void Solver<D>::correct(double dt, StepReport& report) {
+  {
+    const auto scope = clock_.measure(Phase::forces);
+    const Displacement<D> displacement(p_.x, periodicity_);
+    const auto pressure = [&](std::size_t j) { return p_.pressure[j]; };
+    const auto counts = [&](std::size_t j) { return has_pressure(j); };
+    for_each_fluid([&](std::size_t i) {
+      const double least = neighbourhood_minimum<D>(i, list_.of(i), displacement, re_, pressure, counts);
+      const Vec<D> grad = gradient<D>(i, list_.of(i), displacement, re_, n0_, least, pressure, counts);
+      for (int a = 0; a < D; ++a) correction_[a][i] = -dt / rho_ * grad[a];
+    });
+    for_each_fluid([&](std::size_t i) {
+      for (int a = 0; a < D; ++a) p_.v[a][i] += correction_[a][i];
+    });
+  }
+  move(dt, correction_, report);
+}
+
+template <int D>
+void Solver<D>::measure_speed(StepReport& report) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  double fastest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : fastest)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    double v2 = 0.0;
+    for (int a = 0; a < D; ++a) v2 += p_.v[a][i] * p_.v[a][i];
+    fastest = std::max(fastest, v2);
+  }
+  v_max_ = std::sqrt(fastest);
+  report.v_max = v_max_;
+}
+
+template class Solver<2>;
+template class Solver<3>;
+
+}  // namespace surge::mps

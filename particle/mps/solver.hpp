@@ -1,0 +1,85 @@
+#pragma once
+
+#include "particle/core/cell_grid.hpp"
+#include "particle/core/clock.hpp"
+#include "particle/core/neighbour_list.hpp"
+#include "particle/core/particles.hpp"
+#include "particle/core/step_report.hpp"
+#include "particle/core/wall_collision.hpp"
+#include "particle/io/case.hpp"
+#include "particle/mps/collision.hpp"
+#include "particle/mps/pressure_poisson.hpp"
+#include "particle/mps/pressure_solver.hpp"
+
+namespace surge::mps {
+
+/// The MPS method as in the paper, Fig. 3: gravity and an explicit move to temporal positions, then
+/// the pressure that brings the number density back to n0, then velocities and positions corrected
+/// by its gradient.
+template <int D>
+class Solver {
+ public:
+  explicit Solver(const Case& c);
+
+  /// Advances by stable_step() or dt_limit (s), whichever is shorter.
+  StepReport step(double dt_limit);
+  /// Eq. (25)
+  [[nodiscard]] double stable_step() const;
+
+  [[nodiscard]] double time() const { return time_; }
+  [[nodiscard]] const Particles<D>& particles() const { return p_; }
+  [[nodiscard]] Clock& clock() { return clock_; }
+  [[nodiscard]] double reference_density() const { return n0_; }
+  /// The pressure equation of the last step.
+  [[nodiscard]] const PoissonSystem& system() { return assembly_.system(); }
+
+ private:
+  void apply_body_forces(double dt);
+  void move(double dt, const std::array<Field, D>& velocity, StepReport& report);
+  void find_neighbours();
+  void collide(double dt, StepReport& report);
+  void compute_number_density();
+  void find_free_surface();
+  void solve_pressure(double dt, StepReport& report);
+  void correct(double dt, StepReport& report);
+  void measure_speed(StepReport& report);
+  void add_viscosity(double dt);
+
+  [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
+  [[nodiscard]] bool has_pressure(std::size_t i) const { return p_.type[i] != ParticleType::dummy; }
+  template <class F>
+  void for_each_fluid(F&& f);
+
+  Params params_;
+  TimeControl control_;
+  double spacing_;
+  double rho_;
+  double nu_;
+  bool no_slip_;
+  Vec<D> gravity_{};
+  double re_;          ///< of gradient and number density, m
+  double re_laplacian_;  ///< m
+  double n0_;          ///< Eq. (9), at re
+  double laplacian_factor_;
+  CollisionModel<D> collision_;
+  WallCollision<D> walls_;
+
+  Particles<D> p_;
+  std::array<Field, D> correction_;           ///< v' of Eq. (11), m/s
+  AlignedVector<std::int32_t> unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
+  std::size_t unknowns_ = 0;
+  Field unknown_pressure_;
+
+  CellGrid<D> grid_;
+  Periodicity<D> periodicity_;
+  NeighbourList<D> list_;
+  PoissonAssembly<D> assembly_;
+  PressureSolver pressure_solver_;
+
+  double time_ = 0.0;
+  long steps_ = 0;
+  double v_max_ = 0.0;
+  Clock clock_;
+};
+
+}  // namespace surge::mps
