@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "particle/core/particles.hpp"
+
+namespace surge::mps {
+
+/// A p = b on the particles whose pressure is unknown. A is symmetric, has no positive entry off
+/// the diagonal and is weakly diagonally dominant (an M-matrix): what Eq. (7) gives with the sign
+/// turned, where the particles with p = 0 are eliminated but stay in the diagonal.
+///
+/// Compressed rows of both triangles without the diagonal: row i owns the entries row_start[i] to
+/// row_start[i + 1]. Columns may come in any order; neighbours in space should be near in number.
+struct PoissonSystem {
+  AlignedVector<std::int32_t> row_start;  ///< size() + 1 entries
+  AlignedVector<std::int32_t> column;
+  Field value;     ///< entries off the diagonal, <= 0
+  Field diagonal;  ///< >= the sum of |value| over the row
+  Field rhs;
+
+  int dimension = 2;
+  double spacing = 1.0;    ///< l0, m: the scale of the coordinates
+  std::array<Field, 3> x;  ///< m, where the unknowns are; the first `dimension` are used
+
+  [[nodiscard]] std::size_t size() const { return diagonal.size(); }
+};
+
+/// y = A x.
+void multiply(const PoissonSystem& system, const Field& x, Field& y);
+
+/// ||b - A p|| / ||b|| in the Euclidean norm; ||A p|| where b = 0.
+double relative_residual(const PoissonSystem& system, const Field& p);
+
+}  // namespace surge::mps

@@ -1,0 +1,116 @@
+#include "particle/mps/pressure_solver.hpp"
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "particle/mps/linear/closed_regions.hpp"
+#include "particle/mps/linear/direct.hpp"
+#include "particle/mps/linear/iccg.hpp"
+#include "particle/mps/linear/timer.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::mps {
+
+namespace {
+
+using Method = std::variant<Iccg, SparseCholesky>;
+
+Method make_method(PpeSolver solver) {
+  switch (solver) {
+    case PpeSolver::iccg:
+      return Method(std::in_place_type<Iccg>);
+    case PpeSolver::cholmod:
+      return Method(std::in_place_type<SparseCholesky>);
+  }
+  throw Error("method.ppe_solver: unknown solver");
+}
+
+SolveReport run(Iccg& method, const PoissonSystem& system, Field& p, const Params& params) {
+  return method.solve(system, p, params.ppe_tolerance, params.ppe_max_iterations);
+}
+
+SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, const Params&) {
+  SolveReport report;
+  Timer setup(report.setup_s);
+  method.factorise(system);
+  setup.stop();
+  Timer solve(report.solve_s);
+  method.solve(system.rhs, p);
+  return report;
+}
+
+void check(const PoissonSystem& system) {
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    if (std::isfinite(system.rhs[i]) && std::isfinite(system.diagonal[i])) continue;
+    throw Error("pressure: equation " + std::to_string(i) +
+                " is not finite: particles coincide or flew off; a smaller step may help");
+  }
+}
+
+bool is_zero(const Field& field) {
+  for (const double value : field) {
+    if (value != 0.0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+struct PressureSolver::State {
+  explicit State(const Params& p) : params(p), method(make_method(p.ppe_solver)) {}
+
+  Params params;
+  Method method;
+  ClosedRegions closed;
+  PoissonSystem anchored;  // a copy, made only where there are closed regions
+};
+
+PressureSolver::PressureSolver(const Params& params) {
+  if (!(params.ppe_tolerance > 0.0 && params.ppe_tolerance < 1.0)) {
+    throw Error("method.ppe_tolerance: found " + std::to_string(params.ppe_tolerance) +
+                ", expected a number between 0 and 1");
+  }
+  if (params.ppe_max_iterations < 1) {
+    throw Error("method.ppe_max_iterations: found " + std::to_string(params.ppe_max_iterations) +
+                ", expected a positive number");
+  }
+  state_ = std::make_unique<State>(params);
+}
+PressureSolver::~PressureSolver() = default;
+PressureSolver::PressureSolver(PressureSolver&&) noexcept = default;
+PressureSolver& PressureSolver::operator=(PressureSolver&&) noexcept = default;
+
+SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
+  check(system);
+  if (p.size() != system.size()) p.assign(system.size(), 0.0);
+
+  SolveReport report;
+  double preparation_s = 0.0;
+  Timer preparation(preparation_s);
+  const std::vector<Region>& closed = state_->closed.find(system);
+  const PoissonSystem* solvable = &system;
+  if (!closed.empty()) {
+    state_->anchored = system;
+    anchor(closed, state_->anchored, p);
+    solvable = &state_->anchored;
+  }
+  preparation.stop();
+
+  if (is_zero(solvable->rhs)) {  // relative residuals have no meaning, and p = 0 is exact
+    p.assign(system.size(), 0.0);
+  } else {
+    report = std::visit([&](auto& method) { return run(method, *solvable, p, state_->params); },
+                        state_->method);
+    report.residual = relative_residual(*solvable, p);
+    if (!std::isfinite(report.residual)) throw Error("pressure: the solution is not finite");
+    // The recursive residual of conjugate gradients and the true one part in the last digits.
+    report.converged = report.residual <= 1.01 * state_->params.ppe_tolerance;
+  }
+  lift(closed, p);
+  report.setup_s += preparation_s;
+  report.closed_regions = static_cast<int>(closed.size());
+  return report;
+}
+
+}  // namespace surge::mps
