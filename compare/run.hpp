@@ -68,7 +68,8 @@ struct SourceOptions {
   int vertical_axis = 1;                ///< --vertical x|y|z, for sources that do not say
   std::string velocity_array = "velocity";
   std::string pressure_array = "pressure";
-  std::string type_array = "type";  ///< not required of a foreign source: then all are fluid
+  std::string type_array = "type";
+  bool type_required = false;  ///< set for our own runs and by --type-array; else all are fluid
   int fluid_type = 0;
   std::string alpha_array = "alpha.water";
 };

@@ -22,8 +22,8 @@ struct PublishedSeries {
 };
 
 /// Reads a series. Header lines `# key: value` (label, citation, column, kind = experiment |
-/// computation, time_uncertainty, position_uncertainty; all required, each once, others are
-/// errors), then `T,Z_over_L`, then two finite numbers a line with T increasing. Throws
+/// computation, time_uncertainty, position_uncertainty; all required; note is optional; each once,
+/// others are errors), then `T,Z_over_L`, then two finite numbers a line with T increasing. Throws
 /// surge::Error with file:line.
 [[nodiscard]] PublishedSeries read_series(const std::filesystem::path& file);
 
