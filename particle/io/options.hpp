@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "particle/io/case.hpp"
+#include "particle/support/toml.hpp"
+
+namespace surge {
+
+// Every name that a case file, a preset, the manifest and `surge-particle list --options` know is
+// declared here and nowhere else. A new option is one line in its method's visitor; a new
+// enumeration needs its names as well.
+
+/// The names of an enumeration's values, std::array of Named<E>.
+template <class E>
+inline constexpr std::nullptr_t enum_names = nullptr;
+
+template <>
+inline constexpr std::array enum_names<FluidBlock::Shape>{Named{"box", FluidBlock::Shape::box},
+                                                          Named{"ball", FluidBlock::Shape::ball}};
+template <>
+inline constexpr std::array enum_names<WallCondition>{Named{"slip", WallCondition::slip},
+                                                      Named{"no-slip", WallCondition::no_slip}};
+template <>
+inline constexpr std::array enum_names<Search>{Named{"cell_grid", Search::cell_grid},
+                                               Named{"all_pairs", Search::all_pairs}};
+template <>
+inline constexpr std::array enum_names<mps::Lambda>{Named{"paper", mps::Lambda::paper},
+                                                    Named{"analytic", mps::Lambda::analytic},
+                                                    Named{"lattice", mps::Lambda::lattice}};
+template <>
+inline constexpr std::array enum_names<mps::PpeSolver>{Named{"iccg", mps::PpeSolver::iccg},
+                                                       Named{"cholmod", mps::PpeSolver::cholmod}};
+template <>
+inline constexpr std::array enum_names<mps::NegativePressure>{
+    Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip}};
+template <>
+inline constexpr std::array enum_names<sph::Kernel>{
+    Named{"quintic_spline", sph::Kernel::quintic_spline},
+    Named{"wendland_c2", sph::Kernel::wendland_c2}};
+template <>
+inline constexpr std::array enum_names<sph::NegativePressure>{
+    Named{"keep", sph::NegativePressure::keep}, Named{"clip", sph::NegativePressure::clip}};
+template <>
+inline constexpr std::array enum_names<sph::WallDensity>{
+    Named{"reference", sph::WallDensity::reference},
+    Named{"continuity", sph::WallDensity::continuity},
+    Named{"extrapolated", sph::WallDensity::extrapolated}};
+
+/// The name of an enumerator.
+template <class E>
+[[nodiscard]] constexpr std::string_view name_of(E value) {
+  for (const auto& entry : enum_names<E>) {
+    if (entry.value == value) return entry.name;
+  }
+  return "?";
+}
+
+/// Calls `option(name, member, bounds, description)` for each option of the MPS method.
+template <class P, class Visitor>
+requires std::same_as<std::remove_const_t<P>, mps::Params>
+void visit_options(P& p, Visitor&& option) {
+  constexpr Bounds any;
+  option("re_gradient", p.re_gradient, Bounds::above(1.0),
+         "radius of number density, gradient and free surface, in l0");
+  option("re_laplacian", p.re_laplacian, Bounds::above(1.0), "radius of the Laplacian, in l0");
+  option("lambda", p.lambda, any, "lambda of the Laplacian, Eqs. (7) and (8)");
+  option("beta", p.beta, Bounds::open(0.0, 1.0), "free surface where n < beta n0, Eq. (14)");
+  option("source_relaxation", p.source_relaxation, Bounds::above_to(0.0, 1.0),
+         "factor on the source of the pressure equation, Eq. (12)");
+  option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
+  option("ppe_solver", p.ppe_solver, any, "solver of the pressure equation");
+  option("ppe_tolerance", p.ppe_tolerance, Bounds::open(0.0, 1.0),
+         "relative residual at which the pressure solver stops");
+  option("ppe_max_iterations", p.ppe_max_iterations, Bounds::closed(1, 1e9),
+         "iterations after which the pressure solver gives up");
+  option("collision_distance", p.collision_distance, Bounds::closed(0.0, 1.0),
+         "approaching particles nearer than this collide, in l0");
+  option("collision_restitution", p.collision_restitution, Bounds::closed(0.0, 1.0),
+         "relative normal speed after a collision over that before");
+}
+
+/// Calls `option(name, member, bounds, description)` for each option of the SPH method.
+template <class P, class Visitor>
+requires std::same_as<std::remove_const_t<P>, sph::Params>
+void visit_options(P& p, Visitor&& option) {
+  constexpr Bounds any;
+  option("kernel", p.kernel, any,
+         "kernel; the quintic spline, Eq. (18), reaches to 3h, Wendland's C2 to 2h");
+  option("h_over_l0", p.h_over_l0, Bounds::closed(0.5, 5.0), "smoothing length h, in l0");
+  option("sound_speed_ratio", p.sound_speed_ratio, Bounds::above(0.0),
+         "speed of sound over the reference speed of the flow");
+  option("gamma", p.gamma, Bounds::at_least(1.0), "exponent of the equation of state, Eq. (21)");
+  option("xsph_epsilon", p.xsph_epsilon, Bounds::closed(0.0, 1.0), "XSPH factor, Eq. (24)");
+  option("acoustic_courant", p.acoustic_courant, Bounds::at_least(0.0),
+         "dt <= this h / (c0 + v_max); 0: only Eq. (25) limits the step");
+  option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
+  option("artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),
+         "alpha of the artificial viscosity, Monaghan (1992)");
+  option("density_diffusion", p.density_diffusion, Bounds::at_least(0.0),
+         "delta of the density diffusion, Molteni & Colagrossi (2009)");
+  option("wall_density", p.wall_density, any, "how wall particles get density and pressure");
+  option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),
+         "no particle comes nearer to a wall, in l0");
+  option("wall_restitution", p.wall_restitution, Bounds::closed(0.0, 1.0),
+         "normal speed after a wall collision over that before");
+}
+
+/// Reads those options that a table has; the others keep their values.
+template <class Params>
+void read_options(const TomlTable& table, Params& params) {
+  visit_options(params, [&](const char* name, auto& member, Bounds bounds, const char*) {
+    using Member = std::remove_reference_t<decltype(member)>;
+    if (!table.has(name)) return;
+    if constexpr (std::is_enum_v<Member>) {
+      member = table.enumerator(name, enum_names<Member>);
+    } else if constexpr (std::same_as<Member, bool>) {
+      member = table.boolean(name);
+    } else if constexpr (std::integral<Member>) {
+      member = static_cast<Member>(table.integer(name, bounds));
+    } else {
+      member = table.number(name, bounds);
+    }
+  });
+}
+
+}  // namespace surge

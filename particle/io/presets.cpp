@@ -1,0 +1,61 @@
+#include "particle/io/presets.hpp"
+
+#include <algorithm>
+
+#include "particle/io/options.hpp"
+
+namespace surge {
+
+namespace {
+
+TomlTable open_preset(const PresetFile& file) {
+  return TomlTable::parse(file.text, "presets/" + std::string(file.name) + ".toml");
+}
+
+/// `depth` ends a circle of presets that extend each other.
+template <class Params>
+void apply(std::string_view method, std::string_view name, Params& params, std::size_t depth) {
+  const std::string full = std::string(method) + "-" + std::string(name);
+  const auto files = preset_files();
+  const auto file =
+      std::find_if(files.begin(), files.end(), [&](auto& f) { return f.name == full; });
+  if (file == files.end()) {
+    std::string known;
+    for (const std::string& other : preset_names(method))
+      known += (known.empty() ? "" : ", ") + other;
+    throw Error("preset: found \"" + std::string(name) + "\", expected one of " + known);
+  }
+  const TomlTable preset = open_preset(*file);
+  static_cast<void>(preset.text("description"));
+  if (preset.has("extends")) {
+    if (depth == files.size())
+      throw preset.error("extends", "a circle", "a chain of presets that ends");
+    apply(method, preset.text("extends"), params, depth + 1);
+  }
+  if (const auto options = preset.optional_table(method)) read_options(*options, params);
+  preset.finish();
+}
+
+}  // namespace
+
+void apply_preset(std::string_view name, mps::Params& params) {
+  apply("mps", name, params, 0);
+}
+void apply_preset(std::string_view name, sph::Params& params) {
+  apply("sph", name, params, 0);
+}
+
+std::vector<std::string> preset_names(std::string_view method) {
+  const std::string prefix = std::string(method) + "-";
+  std::vector<std::string> names;
+  for (const PresetFile& file : preset_files()) {
+    if (file.name.starts_with(prefix)) names.emplace_back(file.name.substr(prefix.size()));
+  }
+  return names;
+}
+
+std::string preset_description(const PresetFile& file) {
+  return open_preset(file).text("description");
+}
+
+}  // namespace surge

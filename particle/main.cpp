@@ -1,0 +1,130 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "particle/io/case_checks.hpp"
+#include "particle/io/case_file.hpp"
+#include "particle/io/options.hpp"
+#include "particle/io/presets.hpp"
+#include "particle/support/version.hpp"
+
+namespace {
+
+using surge::Case;
+
+struct Arguments {
+  std::string case_file;
+  std::vector<std::string> overrides;
+  bool options = false;
+};
+
+void check(const Arguments& arguments) {
+  const Case c = surge::read_case(arguments.case_file, arguments.overrides);
+  std::cout << c.title << "\n  dimension        " << c.dimension << "\n  method           "
+            << c.method_name() << ", preset " << c.preset << "\n  spacing          " << c.spacing
+            << " m\n  fluid particles  " << std::lround(surge::fluid_particle_count(c))
+            << "\n  end              " << c.time.end << " s, a frame every " << c.output_interval
+            << " s\n  steps            about " << std::lround(surge::estimated_steps(c)) << '\n';
+}
+
+/// The values that an option takes, for people.
+template <class T>
+std::string allowed(surge::Bounds bounds) {
+  if constexpr (std::is_enum_v<T>) {
+    std::string names;
+    for (const auto& entry : surge::enum_names<T>) {
+      names += (names.empty() ? "" : " | ") + std::string(entry.name);
+    }
+    return names;
+  } else {
+    return bounds.text().empty() ? "any" : bounds.text();
+  }
+}
+
+template <class T>
+std::string value_text(const T& value) {
+  if constexpr (std::is_enum_v<T>) {
+    return std::string(surge::name_of(value));
+  } else if constexpr (std::same_as<T, bool>) {
+    return value ? "true" : "false";
+  } else {
+    return surge::number_text(static_cast<double>(value));
+  }
+}
+
+template <class Params>
+void list_options(const char* method) {
+  std::cout << "\n[" << method << "]\n";
+  const Params defaults;
+  surge::visit_options(defaults, [](const char* name, const auto& value, surge::Bounds bounds,
+                                    const char* description) {
+    using Member = std::remove_cvref_t<decltype(value)>;
+    std::cout << "  " << name << " = " << value_text(value) << "\n      " << description << " ("
+              << allowed<Member>(bounds) << ")\n";
+  });
+}
+
+void list(const Arguments& arguments) {
+  std::cout << "Presets:\n";
+  for (const surge::PresetFile& preset : surge::preset_files()) {
+    std::printf("  %-18s %s\n", std::string(preset.name).c_str(),
+                surge::preset_description(preset).c_str());
+  }
+  std::fflush(stdout);
+  if (!arguments.options) return;
+  list_options<surge::mps::Params>("mps");
+  list_options<surge::sph::Params>("sph");
+}
+
+std::string version_text() {
+  const surge::BuildInfo build = surge::build_info();
+  return "surge-particle " + build.version + " (commit " + build.commit + ", " + build.compiler +
+         ", " + build.flags + ")";
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app{"Free-surface flow with particles: MPS and SPH", "surge-particle"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  Arguments arguments;
+  const auto with_case = [&](CLI::App* command) {
+    command->add_option("case", arguments.case_file, "case file (TOML)")
+        ->required()
+        ->type_name("CASE.toml");
+    command
+        ->add_option("--set", arguments.overrides,
+                     "override an entry of the case file; may be repeated")
+        ->type_name("table.key=value")
+        ->allow_extra_args(false);
+  };
+  CLI::App* check_command =
+      app.add_subcommand("check", "read and check a case file, and say what it means");
+  with_case(check_command);
+  CLI::App* list_command = app.add_subcommand("list", "list the presets of the methods");
+  list_command->add_flag("--options", arguments.options,
+                         "list every option of the methods as well");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    throw surge::Error(std::string(error.what()) + " (surge-particle --help tells the usage)");
+  }
+  if (check_command->parsed()) check(arguments);
+  if (list_command->parsed()) list(arguments);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "surge-particle: " << error.what() << '\n';
+    return 1;
+  }
+}
