@@ -42,6 +42,7 @@ bool matches(std::string_view text, std::string_view pattern) {
 }
 
 std::vector<SeriesEntry> list_collection(const fs::path& file) {
+  if (!fs::is_regular_file(file)) throw Error(file.string() + ": no such file");
   const VtkErrors errors;
   const auto root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
