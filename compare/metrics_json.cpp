@@ -2,26 +2,13 @@
 #include <cmath>
 
 #include "compare/metrics.hpp"
+#include "compare/quantities.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
 namespace {
 
 using nlohmann::json;
-
-WallRule wall_rule(const Run& run, const MetricsOptions& options) {
-  const auto far = run.physics.far_wall();
-  WallRule rule;
-  if (far) rule.far_wall = run.physics.scales().dimensionless(*far);
-  rule.distance = options.wall_distance;
-  return rule;
-}
-
-std::string level_text(double level) {
-  std::string text = std::to_string(level);
-  text.erase(text.find_last_not_of('0'));
-  return text.back() == '.' ? text + "0" : text;
-}
 
 json window_json(const Window& window) {
   return json::array({window.begin.value(), window.end.value()});
@@ -89,7 +76,7 @@ json published_json(const MeasuredRun& measured, const std::vector<PublishedSeri
   for (const PublishedSeries& series : published) {
     try {
       const SeriesComparison c =
-          against_series(measured.front, series, wall_rule(measured.run, options));
+          against_series(measured.front, series, wall_rule(measured.run, options.wall_distance));
       out[series.name] = {{"status", "passed"},
                           {"raw", statistics_json(c.raw)},
                           {"shift_T", c.shift.value()},
@@ -145,6 +132,10 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
                                   [&](const auto& m) { return m.run.name == reference; });
   if (found == runs.end())
     throw Error("reference: " + reference + " found, the name of one of the runs expected");
+  if (found->run.manifest.is_object() && !found->run.manifest.value("finished", true)) {
+    throw Error("reference: " + reference +
+                " did not finish (manifest.json), a finished run expected");
+  }
   json out{{"definition", definition_json(reference, options)},
            {"front", json::object()},
            {"timing", json::object()},
@@ -168,7 +159,9 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
     front["physics_not_stated"] = physics.not_stated;
     try {
       add_difference(
-          front, difference(measured.front, found->front, wall_rule(found->run, options)), against);
+          front,
+          difference(measured.front, found->front, wall_rule(found->run, options.wall_distance)),
+          against);
     } catch (const Error& error) {
       throw Error(name + " against " + reference + ": " + error.what());
     }

@@ -20,15 +20,6 @@ namespace fs = std::filesystem;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::string name_of(const fs::path& path) {
-  const fs::path plain = path.lexically_normal();
-  const std::string name =
-      plain.has_filename() ? plain.filename().string() : plain.parent_path().filename().string();
-  return name.empty() || name == "."
-             ? fs::absolute(plain).lexically_normal().parent_path().filename().string()
-             : name;
-}
-
 /// Lower and upper corner of points.
 Extent extent_of(std::size_t count, const auto& point) {
   Extent box;
@@ -130,6 +121,12 @@ fs::path source_path(const fs::path& path) {
 
 }  // namespace
 
+std::string run_name(const fs::path& path) {
+  fs::path plain = fs::absolute(source_path(path)).lexically_normal();
+  if (!plain.has_filename()) plain = plain.parent_path();
+  return plain.filename().string();
+}
+
 Seconds time_of(const Frame& frame) {
   return std::visit([](const auto& f) { return f.time; }, frame);
 }
@@ -182,7 +179,7 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
 Run open_run(const fs::path& given, const SourceOptions& options) {
   Run run;
   run.path = source_path(given);
-  run.name = name_of(run.path);
+  run.name = run_name(given);
   const bool folder = fs::is_directory(run.path);
   const bool pattern = run.path.filename().string().find('*') != std::string::npos;
   if (!folder && !pattern && !fs::exists(run.path))

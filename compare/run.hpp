@@ -93,6 +93,9 @@ struct Run {
   [[nodiscard]] bool is_mesh() const { return kind == SourceKind::openfoam; }
 };
 
+/// The name that a run at `path` has: its folder's, or its file's for a series of files.
+[[nodiscard]] std::string run_name(const std::filesystem::path& path);
+
 /// Opens a source and checks that it exists, has frames and says enough to compute Z/L.
 /// `path` may be a run folder, an OpenFOAM case folder, a .pvd file, a folder of numbered
 /// .vtp/.vtu/.vtk files, or a pattern such as "out/fluid_*.vtu". Throws surge::Error.

@@ -1,0 +1,64 @@
+#include "compare/study.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "particle/support/toml.hpp"
+
+namespace surge::compare {
+namespace {
+
+constexpr std::array<std::string_view, 2> programs{"surge-particle", "interFoam"};
+
+StudyRun read_run(const TomlTable& table) {
+  StudyRun run;
+  run.name = table.text("name");
+  if (run.name.empty() || run.name.find_first_of("/\\ \t*") != std::string::npos) {
+    throw table.error("name", "\"" + run.name + "\"", "a folder's name without / * or blanks");
+  }
+  run.program = programs[table.choice("program", programs)];
+  run.case_path = table.text("case");
+  if (table.has("set")) run.settings = table.texts("set");
+  for (const std::string& setting : run.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw table.error("set", "\"" + setting + "\"", "\"key=value\"");
+  }
+  run.threads = static_cast<int>(table.integer_or("threads", 1, surge::Bounds::closed(1, 4096)));
+  return run;
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& file) {
+  const TomlTable root = TomlTable::read(file);
+  Study study;
+  study.title = root.text("title");
+  study.reference = root.text("reference");
+  study.strip_height = Metres(root.number("strip_height", surge::Bounds::above(0.0)));
+  for (const double t :
+       root.numbers("snapshot_times", std::nullopt, surge::Bounds::at_least(0.0))) {
+    if (!study.snapshot_times.empty() && Seconds(t) <= study.snapshot_times.back()) {
+      throw root.error("snapshot_times", number_text(t), "increasing times");
+    }
+    study.snapshot_times.emplace_back(t);
+  }
+  if (root.has("published")) study.published = root.texts("published");
+  std::set<std::string> names;
+  for (const TomlTable& table : root.tables("run")) {
+    study.runs.push_back(read_run(table));
+    if (!names.insert(study.runs.back().name).second) {
+      throw table.error("name", "\"" + study.runs.back().name + "\" a second time",
+                        "different names");
+    }
+  }
+  if (study.runs.empty()) throw root.error("run", "no run", "at least one [[run]]");
+  if (!names.contains(study.reference)) {
+    throw root.error("reference", "\"" + study.reference + "\"", "the name of one of the runs");
+  }
+  root.finish();
+  return study;
+}
+
+}  // namespace surge::compare
