@@ -87,6 +87,10 @@ run() {
   expect "$scratch/output" "setFields: done before"
   grep -qx "solve: done" "$scratch/output" || fail "a changed fvSolution was not seen"
   if cmp -s "$folder/manifest.json" "$scratch/first.json"; then fail "old manifest kept"; fi
+
+  rm -r "$folder/constant/polyMesh"
+  "$folder/Allrun" >"$scratch/output"
+  grep -qx "blockMesh: done" "$scratch/output" || fail "took a mesh for done that is not there"
 }
 
 # Every choice arrives in what the solver has read.
@@ -101,6 +105,21 @@ choices() {
     'm["case"]["method"]["parameters"]["div_alpha"] == "Gauss MUSCL"' \
     'm["case"]["method"]["parameters"]["ddt"] == "CrankNicolson 0.9"' \
     'm["case"]["tank"]["upper"] == [0.58, 1.45, 0]'
+}
+
+# Water at rest across the whole tank stays at rest: no velocity that would be seen in a figure.
+rest() {
+  make_case "$scratch/case" columnWidth=4 'title="Still water"' endTime=0.1 writeInterval=0.1
+  "$scratch/case/Allrun" >"$scratch/output"
+  manifest_holds "$scratch/case" 'm["case"]["title"] == "Still water"' \
+    'm["case"]["blocks"][0]["upper"] == [0.58, 0.29, 0]' 'abs(m["water_volume_change"]) < 1e-6'
+  python3 - "$scratch/case/0.1/U" <<'TEXT' || fail "the water moves"
+import re, sys
+values = re.search(r"nonuniform.*?\n\(\n(.*?)\n\)", open(sys.argv[1]).read(), re.S)[1]
+fastest = max(abs(float(x)) for x in re.sub("[()]", " ", values).split())
+print("fastest, m/s:", fastest)
+assert fastest < 1e-3
+TEXT
 }
 
 # Edges of the column on cell faces at every resolution of the studies: no cell is cut.
