@@ -32,7 +32,7 @@ LOG_LINES = 15  # of a failed run's log are shown
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
-    r"log\..*|processor.*|postProcessing|VTK|.*\.foam|manifest\.json|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
+    r"\.steps|log\..*|processor.*|postProcessing|VTK|.*\.foam|manifest\.json|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
 )
 
 

@@ -143,7 +143,7 @@ def manifest():
         "alpha_min": min(low for low, _ in extremes),
         "alpha_max": max(high for _, high in extremes),
         "case": {
-            "title": f"Dam break, {entry(control, 'cellsPerL')} cells per column width",
+            "title": entry(control, "title").strip('"'),
             "dimension": 2,
             "cells_per_L": number(control, "cellsPerL"),
             "fluid": {
