@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +12,7 @@
 #include "particle/io/case_file.hpp"
 #include "particle/io/options.hpp"
 #include "particle/io/presets.hpp"
+#include "particle/io/run.hpp"
 #include "particle/support/version.hpp"
 
 namespace {
@@ -19,16 +22,27 @@ using surge::Case;
 struct Arguments {
   std::string case_file;
   std::vector<std::string> overrides;
+  surge::RunOptions run;
   bool options = false;
 };
 
+constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
+
+int run(const Arguments& arguments) {
+  const Case c = surge::read_case(arguments.case_file, arguments.overrides);
+  const surge::RunEnd end = surge::run_case(c, arguments.run, std::cout);
+  return end == surge::RunEnd::interrupted ? exit_interrupted : 0;
+}
+
 void check(const Arguments& arguments) {
   const Case c = surge::read_case(arguments.case_file, arguments.overrides);
-  std::cout << c.title << "\n  dimension        " << c.dimension << "\n  method           "
-            << c.method_name() << ", preset " << c.preset << "\n  spacing          " << c.spacing
-            << " m\n  fluid particles  " << std::lround(surge::fluid_particle_count(c))
-            << "\n  end              " << c.time.end << " s, a frame every " << c.output_interval
-            << " s\n  steps            about " << std::lround(surge::estimated_steps(c)) << '\n';
+  const surge::CaseSummary summary = surge::summarise(c);
+  std::cout << c.title << "\n  dimension   " << c.dimension << "\n  method      " << c.method_name()
+            << ", preset " << c.preset << "\n  spacing     " << c.spacing << " m\n  particles   "
+            << summary.fluid_particles << " fluid, " << summary.wall_particles
+            << " wall\n  end         " << c.time.end << " s, a frame every " << c.output_interval
+            << " s\n  steps       about " << std::lround(surge::estimated_steps(c))
+            << ", the first " << summary.first_step << " s\n";
 }
 
 /// The values that an option takes, for people.
@@ -101,6 +115,15 @@ int run_program(int argc, char** argv) {
         ->type_name("table.key=value")
         ->allow_extra_args(false);
   };
+  CLI::App* run_command = app.add_subcommand("run", "compute a case and write its run folder");
+  with_case(run_command);
+  run_command->add_option("--out", arguments.run.folder, "folder of the run")
+      ->required()
+      ->type_name("DIR");
+  run_command
+      ->add_option("--threads", arguments.run.threads, "number of threads; all cores by default")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
   CLI::App* check_command =
       app.add_subcommand("check", "read and check a case file, and say what it means");
   with_case(check_command);
@@ -113,6 +136,8 @@ int run_program(int argc, char** argv) {
     if (error.get_exit_code() == 0) return app.exit(error);
     throw surge::Error(std::string(error.what()) + " (surge-particle --help tells the usage)");
   }
+  arguments.run.terminal = isatty(STDOUT_FILENO) == 1;
+  if (run_command->parsed()) return run(arguments);
   if (check_command->parsed()) check(arguments);
   if (list_command->parsed()) list(arguments);
   return 0;

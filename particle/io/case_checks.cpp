@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "particle/core/initial_particles.hpp"
 #include "particle/io/options.hpp"
 
 namespace surge {
@@ -241,21 +242,7 @@ double fluid_particle_count(const Case& c) {
 }
 
 double estimated_steps(const Case& c) {
-  double energy =
-      0.0;  // v^2/2 of free fall from the top of the fluid to the floor, plus that at the start
-  for (const FluidBlock& block : c.blocks) {
-    double fall = 0.0;
-    double start = 0.0;
-    for (std::size_t a = 0; a < 3; ++a) {
-      const Box& floor = c.has_tank ? c.tank.box : block.box;
-      const double height = c.gravity[a] < 0.0 ? block.box.upper[a] - floor.lower[a]
-                                               : floor.upper[a] - block.box.lower[a];
-      fall += std::abs(c.gravity[a]) * height;
-      start += 0.5 * block.velocity[a] * block.velocity[a];
-    }
-    energy = std::max(energy, fall + start);
-  }
-  const double speed = std::sqrt(2.0 * energy);
+  const double speed = reference_speed(c);
   double step = c.time.maximum_step;
   if (speed > 0.0) step = std::min(step, c.time.courant * c.spacing / speed);
   if (const auto* sph = std::get_if<sph::Params>(&c.method); sph != nullptr && speed > 0.0) {

@@ -16,8 +16,8 @@ void check_case(const Case& c, const TomlTable& root);
 /// Number of fluid particles that fill the blocks at the case's spacing; of balls by their volume.
 [[nodiscard]] double fluid_particle_count(const Case& c);
 
-/// A guess of the number of steps to the end: Eq. (25) with the speed of free fall over the height
-/// of the fluid above the tank's floor, and the method's acoustic limit.
+/// A guess of the number of steps to the end: Eq. (25) with the case's reference speed, and the
+/// method's acoustic limit. The flow is slower most of the time, so that there are fewer.
 [[nodiscard]] double estimated_steps(const Case& c);
 
 }  // namespace surge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "particle/core/clock.hpp"
+#include "particle/core/step_report.hpp"
+#include "particle/io/case.hpp"
+
+namespace surge {
+
+/// What a run has done so far; the manifest's counts.
+struct RunRecord {
+  std::string started;  ///< UTC, ISO 8601
+  bool finished = false;
+  std::string stopped;  ///< why a run did not finish; empty while it runs and when it did
+  int threads = 1;
+  double wall_total = 0.0;                        ///< s
+  std::array<double, phase_names.size()> wall{};  ///< s per Phase
+  long steps = 0;
+  long frames = 0;
+  double simulated = 0.0;  ///< s
+  long fluid_particles = 0;
+  long wall_particles = 0;  ///< wall and dummy particles
+  long lost_particles = 0;  ///< outside the tank at the end
+  long clipped = 0;
+  long wall_collisions = 0;
+  long particle_collisions = 0;
+  long nonfinite = 0;  ///< values that were infinite or not a number
+
+  void add(const StepReport& report);
+};
+
+/// The manifest of a run, as the text of manifest.json.
+[[nodiscard]] std::string manifest_text(const RunRecord& record, const Case& c);
+
+/// The time now, UTC, as in 2010-05-03T12:00:00Z.
+[[nodiscard]] std::string utc_now();
+
+}  // namespace surge

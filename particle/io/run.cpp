@@ -1,0 +1,131 @@
+#include "particle/io/run.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+
+#include "particle/io/case_file.hpp"
+#include "particle/io/interrupt.hpp"
+#include "particle/io/run_folder.hpp"
+#include "particle/mps/solver.hpp"
+#include "particle/sph/solver.hpp"
+
+namespace surge {
+
+namespace {
+
+using WallClock = std::chrono::steady_clock;
+
+double seconds_since(WallClock::time_point start) {
+  return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+/// Calls f.operator()<Solver, D>() for the case's method and dimension.
+template <class F>
+auto with_solver_type(const Case& c, F&& f) {
+  const bool plane = c.dimension == 2;
+  if (std::holds_alternative<mps::Params>(c.method)) {
+    return plane ? f.template operator()<mps::Solver<2>, 2>()
+                 : f.template operator()<mps::Solver<3>, 3>();
+  }
+  return plane ? f.template operator()<sph::Solver<2>, 2>()
+               : f.template operator()<sph::Solver<3>, 3>();
+}
+
+template <int D>
+long count_fluid(const Particles<D>& particles) {
+  return std::count(particles.type.begin(), particles.type.end(), ParticleType::fluid);
+}
+
+/// One run: the folder, what is recorded about it, and the time since its start.
+class Run {
+ public:
+  Run(const Case& c, const RunOptions& options, std::ostream& out)
+      : case_(c), folder_(options.folder), terminal_(options.terminal), out_(out) {
+    if (options.threads > 0) omp_set_num_threads(options.threads);
+    record_.threads = omp_get_max_threads();
+    record_.started = utc_now();
+    claim_run_folder(folder_, manifest_text(record_, case_));
+    write_file(folder_ / "case.toml", to_toml(case_));
+  }
+
+  template <class Solver, int D>
+  RunEnd compute() {
+    const InterruptGuard guard;
+    try {
+      Solver solver(case_);
+      const double setup = seconds_since(start_);
+      const RunEnd end = compute<Solver, D>(solver, guard);
+      finish(end, solver.clock(), setup);
+      return end;
+    } catch (const std::exception& error) {
+      record_.stopped = error.what();
+      record_.wall_total = seconds_since(start_);
+      write_manifest();
+      throw Error(folder_.string() + ": " + error.what());
+    }
+  }
+
+ private:
+  template <class Solver, int D>
+  RunEnd compute(Solver& solver, const InterruptGuard& guard) {
+    record_.fluid_particles = count_fluid<D>(solver.particles());
+    record_.wall_particles = static_cast<long>(solver.particles().size()) - record_.fluid_particles;
+    const std::string density = case_.method_name() == "mps" ? "number_density" : "density";
+    RunOutput output{FrameWriter(folder_, density), StepTable(folder_ / "steps.csv", case_.probes),
+                     Progress(out_, terminal_, case_.time.end)};
+    RunLoop<Solver, D> loop(solver, case_, output, record_, [&] { return guard.interrupted(); });
+    try {
+      const RunEnd end = loop.run();
+      output.progress.close();
+      return end;
+    } catch (...) {
+      output.progress.close();
+      throw;
+    }
+  }
+
+  void finish(RunEnd end, const Clock& clock, double setup) {
+    record_.finished = end == RunEnd::finished;
+    if (end == RunEnd::interrupted) record_.stopped = "interrupted";
+    for (std::size_t i = 0; i < phase_names.size(); ++i)
+      record_.wall[i] = clock.seconds(static_cast<Phase>(i));
+    record_.wall[static_cast<std::size_t>(Phase::setup)] = setup;
+    record_.wall_total = seconds_since(start_);
+    write_manifest();
+    out_ << (record_.finished ? "finished: " : "interrupted: ") << number_text(record_.simulated)
+         << " s in " << record_.steps << " steps, " << duration_text(record_.wall_total) << " on "
+         << record_.threads << (record_.threads == 1 ? " thread; " : " threads; ") << record_.frames
+         << " frames, " << record_.lost_particles
+         << " particles lost: " << (folder_ / "particles.pvd").string() << std::endl;
+  }
+
+  void write_manifest() const {
+    write_file(folder_ / "manifest.json", manifest_text(record_, case_));
+  }
+
+  const Case& case_;
+  std::filesystem::path folder_;
+  bool terminal_;
+  std::ostream& out_;
+  RunRecord record_;
+  WallClock::time_point start_ = WallClock::now();
+};
+
+}  // namespace
+
+RunEnd run_case(const Case& c, const RunOptions& options, std::ostream& out) {
+  Run run(c, options, out);
+  return with_solver_type(c, [&]<class Solver, int D>() { return run.compute<Solver, D>(); });
+}
+
+CaseSummary summarise(const Case& c) {
+  return with_solver_type(c, [&]<class Solver, int D>() {
+    const Solver solver(c);
+    const long fluid = count_fluid<D>(solver.particles());
+    return CaseSummary{fluid, static_cast<long>(solver.particles().size()) - fluid,
+                       solver.stable_step()};
+  });
+}
+
+}  // namespace surge

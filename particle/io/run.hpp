@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+
+#include "particle/io/case.hpp"
+#include "particle/io/run_loop.hpp"
+
+namespace surge {
+
+struct RunOptions {
+  std::filesystem::path folder;  ///< of the run; made, or taken over from an older run
+  int threads = 0;               ///< 0: as many as OpenMP offers
+  bool terminal = false;         ///< whether `out` redraws lines
+};
+
+/// Computes a case and writes the folder of the run: manifest.json (at the start with
+/// finished = false, and at the end), case.toml (the case with every option written out),
+/// steps.csv, particles.pvd and frames. Tells progress and a summary on `out`. Ctrl-C ends the run
+/// after the present step. Throws Error; the manifest then says why the run stopped.
+RunEnd run_case(const Case& c, const RunOptions& options, std::ostream& out);
+
+/// What a solver makes of a case before its first step.
+struct CaseSummary {
+  long fluid_particles = 0;
+  long wall_particles = 0;
+  double first_step = 0.0;  ///< s
+};
+[[nodiscard]] CaseSummary summarise(const Case& c);
+
+}  // namespace surge

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "particle/core/solver.hpp"
+#include "particle/io/case.hpp"
+#include "particle/io/manifest.hpp"
+#include "particle/io/probes.hpp"
+#include "particle/io/progress.hpp"
+#include "particle/io/step_table.hpp"
+#include "particle/io/vtk_writer.hpp"
+#include "particle/support/error.hpp"
+#include "particle/support/toml.hpp"
+
+namespace surge {
+
+/// Where the results of a run go while it runs.
+struct RunOutput {
+  FrameWriter frames;
+  StepTable steps;
+  Progress progress;
+};
+
+enum class RunEnd { finished, interrupted };
+
+/// The times of frames: multiples of the interval, and the end.
+class FrameTimes {
+ public:
+  FrameTimes(double end, double interval)
+      : end_(end), interval_(interval), last_(std::lround(std::ceil(end / interval - 1e-9))) {}
+  [[nodiscard]] long last() const { return last_; }
+  [[nodiscard]] double operator[](long k) const {
+    return k >= last_ ? end_ : static_cast<double>(k) * interval_;
+  }
+
+ private:
+  double end_;
+  double interval_;
+  long last_;
+};
+
+/// The step (s) to ask for when `remaining` is left to the next frame: one that is less than two
+/// stable steps away is reached by halves, so that no tiny step is left over.
+[[nodiscard]] inline double step_limit(double stable, double remaining) {
+  if (remaining <= stable) return remaining;
+  return remaining < 2.0 * stable ? 0.5 * remaining : stable;
+}
+
+/// Takes a solver from its present state to the end of the case. Steps land on the frames' times.
+template <ParticleSolver S, int D>
+class RunLoop {
+ public:
+  /// `stop` is asked after every step whether to end the run early.
+  RunLoop(S& solver, const Case& c, RunOutput& output, RunRecord& record,
+          std::function<bool()> stop)
+      : solver_(solver),
+        case_(c),
+        times_(c.time.end, c.output_interval),
+        output_(output),
+        record_(record),
+        stop_(std::move(stop)),
+        probes_(c) {}
+
+  /// Throws Error where values cease to be finite or the time step vanishes; what was computed
+  /// until then is in the output.
+  RunEnd run() {
+    write_frame(snapshot(times_[0]));
+    for (long k = 1; k <= times_.last(); ++k) {
+      if (advance_to(times_[k]) == RunEnd::interrupted) {
+        write_frame(snapshot(solver_.time()));
+        return RunEnd::interrupted;
+      }
+      write_frame(snapshot(times_[k]));
+    }
+    return RunEnd::finished;
+  }
+
+ private:
+  RunEnd advance_to(double frame_time) {
+    while (true) {
+      const double remaining = frame_time - solver_.time();
+      const double stable = solver_.stable_step();
+      if (remaining <= 1e-9 * stable) return RunEnd::finished;
+      take_step(step_limit(stable, remaining));
+      if (stop_()) return RunEnd::interrupted;
+    }
+  }
+
+  void take_step(double limit) {
+    const StepReport report = solver_.step(limit);
+    record_.add(report);
+    record_.simulated = solver_.time();
+    check_finite(report);
+    const auto scope = solver_.clock().measure(Phase::output);
+    output_.steps.add(solver_.time(), report, probes_.measure(solver_.particles()));
+    if (record_.steps % steps_between_copies == 0) good_ = snapshot(solver_.time());
+    output_.progress.update(record_.steps, solver_.time());
+  }
+
+  void check_finite(const StepReport& report) {
+    record_.nonfinite = static_cast<long>(count_nonfinite(solver_.particles()));
+    const bool vanished = !(report.dt > 1e-12 * case_.time.maximum_step);
+    if (record_.nonfinite == 0 && !vanished) return;
+    if (good_.size() > 0 && good_.time > last_frame_) write_frame(good_);
+    output_.steps.flush();
+    const std::string when = "step " + std::to_string(record_.steps) +
+                             " at t = " + number_text(solver_.time()) + " s: found ";
+    const std::string where = "; the last good state is frame " +
+                              std::to_string(record_.frames - 1) + " at " +
+                              number_text(last_frame_) + " s";
+    if (record_.nonfinite > 0) {
+      throw Error(when + std::to_string(record_.nonfinite) +
+                  " infinite or undefined particle values, expected none" + where);
+    }
+    throw Error(when + "a time step of " + number_text(report.dt) + " s, expected more" + where);
+  }
+
+  [[nodiscard]] Snapshot snapshot(double time) const {
+    return take_snapshot<D>(solver_.particles(), time);
+  }
+
+  /// Takes the snapshot by value: a writer in another thread could keep it.
+  void write_frame(Snapshot frame) {
+    const auto scope = solver_.clock().measure(Phase::output);
+    output_.frames.write(frame);
+    output_.steps.flush();
+    last_frame_ = frame.time;
+    ++record_.frames;
+  }
+
+  /// The last good state that a failed run shows is at most so many steps old: copying it every
+  /// time would cost more than the check itself.
+  static constexpr long steps_between_copies = 16;
+
+  S& solver_;
+  const Case& case_;
+  FrameTimes times_;
+  RunOutput& output_;
+  RunRecord& record_;
+  std::function<bool()> stop_;
+  Probes<D> probes_;
+  Snapshot good_;
+  double last_frame_ = 0.0;
+};
+
+}  // namespace surge

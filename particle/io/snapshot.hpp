@@ -1,0 +1,89 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "particle/core/particles.hpp"
+
+namespace surge {
+
+/// A copy of what a frame shows, in the order of the particles' ids, so that a frame can be written
+/// while the solver goes on. Single precision: seven digits are more than a picture or the
+/// comparator resolves, at half the size.
+struct Snapshot {
+  double time = 0.0;            ///< s
+  std::vector<float> position;  ///< m, three per particle
+  std::vector<float> velocity;  ///< m/s, three per particle
+  std::vector<float> pressure;  ///< Pa
+  std::vector<float> density;   ///< kg/m3, or the number density
+  std::vector<std::uint8_t> type;
+  std::vector<std::int32_t> id;
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+namespace detail {
+
+/// Indices of particles in the order of their ids; O(N) because ids are small whole numbers.
+inline std::vector<std::size_t> order_by_id(const AlignedVector<std::int32_t>& id) {
+  constexpr auto nobody = static_cast<std::size_t>(-1);
+  if (id.empty()) return {};
+  const auto largest = static_cast<std::size_t>(*std::max_element(id.begin(), id.end()));
+  std::vector<std::size_t> order(largest + 1, nobody);
+  for (std::size_t i = 0; i < id.size(); ++i) order[static_cast<std::size_t>(id[i])] = i;
+  std::erase(order, nobody);
+  return order;
+}
+
+}  // namespace detail
+
+template <int D>
+Snapshot take_snapshot(const Particles<D>& particles, double time) {
+  Snapshot s;
+  s.time = time;
+  const std::size_t n = particles.size();
+  s.position.assign(3 * n, 0.0F);
+  s.velocity.assign(3 * n, 0.0F);
+  s.pressure.resize(n);
+  s.density.resize(n);
+  s.type.resize(n);
+  s.id.resize(n);
+  std::size_t k = 0;
+  for (const std::size_t i : detail::order_by_id(particles.id)) {
+    for (std::size_t a = 0; a < D; ++a) {
+      s.position[3 * k + a] = static_cast<float>(particles.x[a][i]);
+      s.velocity[3 * k + a] = static_cast<float>(particles.v[a][i]);
+    }
+    s.pressure[k] = static_cast<float>(particles.pressure[i]);
+    s.density[k] = static_cast<float>(particles.density[i]);
+    s.type[k] = static_cast<std::uint8_t>(particles.type[i]);
+    s.id[k] = particles.id[i];
+    ++k;
+  }
+  return s;
+}
+
+/// Number of values that are infinite or not a number. Looks at the exponent bits, in whole-number
+/// arithmetic that the compiler vectorises, because it runs after every step.
+inline std::size_t count_nonfinite(const Field& values) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  std::size_t count = 0;
+  for (const double value : values) {
+    count += (std::bit_cast<std::uint64_t>(value) & exponent) == exponent ? 1 : 0;
+  }
+  return count;
+}
+
+/// Number of non-finite values among positions, velocities, pressures and densities.
+template <int D>
+std::size_t count_nonfinite(const Particles<D>& particles) {
+  std::size_t count = count_nonfinite(particles.pressure) + count_nonfinite(particles.density);
+  for (std::size_t a = 0; a < D; ++a) {
+    count += count_nonfinite(particles.x[a]) + count_nonfinite(particles.v[a]);
+  }
+  return count;
+}
+
+}  // namespace surge
