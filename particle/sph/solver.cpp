@@ -67,6 +67,7 @@ Solver<D>::Solver(const Case& c)
                                         initial_depth<D>(c, p_.position(i), support_of(params_.kernel) * h_));
   measure_speed();
   sort_particles(stable_step());
+  update_fluid_volume();
   StepReport ignored;
   apply_equation_of_state(ignored);
   apply_momentum();
@@ -153,12 +154,8 @@ void Solver<D>::half_drift(double dt) {
 template <int D>
 void Solver<D>::apply_continuity(double dt) {
   const auto scope = clock_.measure(Phase::forces);
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    fluid_volume_[i] = p_.type[i] == ParticleType::fluid ? mass_ / p_.density[i] : 0.0;
-    density_rate_[i] = 0.0;
-  }
+  update_fluid_volume();
+  std::fill(density_rate_.begin(), density_rate_.end(), 0.0);
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
@@ -166,8 +163,17 @@ void Solver<D>::apply_continuity(double dt) {
         else continuity_pass<K, false>(kernel);
       },
       kernel_);
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) p_.density[i] += dt * density_rate_[i];
+}
+
+template <int D>
+void Solver<D>::update_fluid_volume() {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    fluid_volume_[i] = p_.type[i] == ParticleType::fluid ? mass_ / p_.density[i] : 0.0;
 }
 
 template <int D>

@@ -51,6 +51,7 @@ class Solver {
   void apply_continuity(double dt);
   template <class K, bool Diffusion>
   void continuity_pass(const K& kernel);
+  void update_fluid_volume();
   void drift(double dt, StepReport& report);
   void apply_equation_of_state(StepReport& report);
   template <class K>
