@@ -79,9 +79,8 @@ TEST(MeshFront, LeavesDropsAheadAndWaterAboveTheStripOut) {
 
 TEST(MeshFront, TakesTheBodyWithTheMostWater) {
   // A fine spray of drops has more corners than its water is worth, but never more water.
-  const MeshFrame frame = slab([](Vec3 x) {
-    return column(x[0], x[1]) ? 1.0 : (x[0] > 0.3 ? 0.5001 * (x[1] < 0.07) : 0.0);
-  });
+  const MeshFrame frame = slab(
+      [](Vec3 x) { return column(x[0], x[1]) ? 1.0 : (x[0] > 0.3 ? 0.5001 * (x[1] < 0.1) : 0.0); });
   EXPECT_NEAR(edge_of(frame), 0.2, 1e-12);
 }
 
