@@ -88,6 +88,9 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_flag("--skip-missing", arguments->skip_missing,
                     "a run folder that does not exist is skipped (exit code 77), not an error");
   arguments->front.add_to(*command);
+  for (const char* option : {"--strip-height", "--linking-length", "--raw-maximum"}) {
+    command->get_option(option)->needs(bless);
+  }
   arguments->files.add_to(*command);
   command->footer(
       "Without --bless the strip and the linking length are those of the baseline.\n"

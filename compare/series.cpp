@@ -93,6 +93,13 @@ class SeriesParser {
     return value;
   }
 
+  double uncertainty(const std::string& key) {
+    const std::string text = take(key);
+    const double value = number(key, text);
+    if (value < 0.0) fail(key, text, "0 or more");
+    return value;
+  }
+
   PublishedSeries finish() {
     series_.name = file_.stem().string();
     series_.label = take("label");
@@ -102,10 +109,8 @@ class SeriesParser {
     if (kind != "experiment" && kind != "computation")
       fail("kind", kind, "experiment or computation");
     series_.experiment = kind == "experiment";
-    series_.time_uncertainty =
-        DimensionlessTime(number("time_uncertainty", take("time_uncertainty")));
-    series_.position_uncertainty =
-        DimensionlessLength(number("position_uncertainty", take("position_uncertainty")));
+    series_.time_uncertainty = DimensionlessTime(uncertainty("time_uncertainty"));
+    series_.position_uncertainty = DimensionlessLength(uncertainty("position_uncertainty"));
     header_.erase("note");
     if (!header_.empty()) {
       fail(header_.begin()->first, "an unknown key",
