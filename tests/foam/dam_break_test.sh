@@ -180,6 +180,19 @@ killed() {
   grep -qx "solve: done" "$scratch/output" || fail "a killed run was taken for done"
   [[ ! -e $folder/0.7 && -d $folder/0.3 ]] || fail "time directories of the killed run are left"
   manifest_holds "$folder" 'm["finished"] is True' 'm["simulated_s"] == 0.3'
+
+  # Killed after a change that is then taken back: the old success is gone.
+  sed -i 's/nLimiterIter .*/nLimiterIter 3;/' "$folder/system/fvSolution"
+  rm "$folder/log.interFoam"
+  "$folder/Allrun" >"$scratch/output" 2>&1 &
+  allrun=$!
+  await "$folder/log.interFoam" '^Time = 0.0'
+  kill -TERM $allrun
+  wait $allrun || true
+  [[ ! -e $folder/manifest.json ]] || fail "the manifest of an earlier run is left"
+  cp "$template/system/fvSolution" "$folder/system/fvSolution"
+  "$folder/Allrun" >"$scratch/output"
+  grep -qx "solve: done" "$scratch/output" || fail "a killed run was taken for the one before"
 }
 
 await_end() { # PROCESS
