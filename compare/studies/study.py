@@ -27,7 +27,8 @@ RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break")
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
-    r"log\..*|processor.*|postProcessing|VTK|.*\.foam|manifest\.json|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
+    r"log\..*|processor.*|postProcessing|dynamicCode|VTK|.*\.foam|manifest\.json|\.steps"
+    r"|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
 )
 
 

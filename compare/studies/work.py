@@ -4,6 +4,7 @@ The Snakefile beside this file calls it; it can be called by hand from the root 
 """
 
 import argparse
+import fcntl
 import os
 import shlex
 import shutil
@@ -67,11 +68,18 @@ def execute(study: Study, name: str, digest: str) -> bool:
     run = next(r for r in study.runs if r.name == name)
     if run.digest() != digest:
         raise StudyError(f"{name}: its inputs changed after the start of the study; start it again")
-    shutil.rmtree(run.folder, ignore_errors=True)
     run.log.parent.mkdir(exist_ok=True)
     started = time.monotonic()
-    _say(f"{name}: started, log {run.log}")
-    with open(run.log, "w", encoding="utf-8") as log:
+    with open(run.log, "a", encoding="utf-8") as log:
+        # The program inherits its log, and with it the lock: held for as long as it is at work.
+        try:
+            fcntl.flock(log, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise StudyError(f"{name}: a program of an earlier study is still at work in "
+                             f"{run.folder}; wait for it or end it") from None
+        log.truncate(0)
+        shutil.rmtree(run.folder, ignore_errors=True)
+        _say(f"{name}: started, log {run.log}")
         status = (_run_foam if run.program == "interFoam" else _run_particle)(run, log)
     seconds = time.monotonic() - started
     broke = run.may_break and status == 1  # not where a signal ended it
@@ -139,7 +147,8 @@ def main() -> int:
             return 0 if report(study) else 1
         return 0 if execute(study, options.name, options.digest) else 1
     except StudyError as error:
-        print(error, file=sys.stderr)
+        # what the engine's jobs print to stderr ends up in the engine's own log
+        print(error, file=sys.stderr if options.task == "plan" else sys.stdout, flush=True)
         return 1
 
 
