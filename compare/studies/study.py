@@ -1,24 +1,18 @@
-"""What a study is made of, which of its runs are up to date, and how one of them is executed.
-
-The Snakefile beside this file only schedules; Allrun prints `plan`. Standard library only.
+"""What a study is made of, and which of its runs are up to date. Standard library only.
 
 A run counts as done when its folder holds a stamp `.finished-<digest>`, where the digest is taken
-from everything that decides about the result: case file, presets, overrides, threads and the
-program's own code (its object files without the one that carries the commit, so that a commit
-which touches other things repeats nothing). Times of files play no part in it.
+from everything that decides about the result: case file, preset, overrides, threads and the
+program's own code (its object files without those that carry the commit and the texts of the
+presets, so that a commit which touches other things repeats nothing). Times of files play no part.
 """
 
-import argparse
 import functools
 import hashlib
 import json
 import os
 import re
-import shlex
 import shutil
 import subprocess
-import sys
-import time
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,11 +22,13 @@ PRESETS = Path("particle/cases/presets")
 REFERENCE = Path("compare/reference")
 RUNS = Path("runs")
 REPORT = Path("report")
-LOG_LINES = 15  # of a failed run's log are shown
+NO_CODE = ("version.cpp.o", "preset_files.cpp.o")  # the commit; the presets, looked at one by one
+RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break")
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
-    r"\.steps|log\..*|processor.*|postProcessing|VTK|.*\.foam|manifest\.json|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
+    r"log\..*|processor.*|postProcessing|dynamicCode|VTK|.*\.foam|manifest\.json|\.steps"
+    r"|[0-9]+(\.[0-9]+)?(e-?[0-9]+)?"
 )
 
 
@@ -49,7 +45,8 @@ class Run:
     case: Path
     set: tuple[str, ...]
     threads: int
-    timed: bool
+    timed: bool  # alone on the machine
+    may_break: bool  # an end before its time is a result, as of the bare equations that break up
 
     @property
     def folder(self) -> Path:
@@ -70,7 +67,8 @@ class Run:
             inputs["program"] = _digest(*_files([_which("interFoam")]))
         else:
             inputs["case"] = _digest(_canonical(self.case))
-            inputs["presets"] = _digest(*[f"{p.name}{_canonical(p)}" for p in _presets()])
+            presets = _presets(self.case, self.set)
+            inputs["preset"] = _digest(*[p.name + _canonical(p) for p in presets])
             inputs["program"] = _program_digest("surge-particle")
         return inputs
 
@@ -82,13 +80,30 @@ class Run:
 
     def state(self) -> str:
         """`up to date`, or why the run has to be made."""
-        _withdraw_broken_stamps(self.folder)
+        self._withdraw_broken_stamps()
         if self.stamp().exists():
             return "up to date"
         stamps = list(self.folder.glob(".finished-*"))
         if not stamps:
-            return "failed or stopped last time" if self.folder.exists() else "not there yet"
+            tried = self.log.exists() or self.folder.exists()
+            return "failed or stopped last time" if tried else "not there yet"
         return f"changed: {_changes(stamps[0], self.inputs())}"
+
+
+    def complete(self) -> bool:
+        """Whether the program left a manifest that says that it came to its end."""
+        try:
+            manifest = json.loads((self.folder / "manifest.json").read_text(encoding="utf-8"))
+            return manifest["finished"] is True or self.may_break and manifest["finished"] is False
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
+
+    def _withdraw_broken_stamps(self) -> None:
+        """A stamp vouches for the folder as it was then: not if somebody wrote there since."""
+        manifest = self.folder / "manifest.json"
+        for stamp in self.folder.glob(".finished-*"):
+            if not self.complete() or manifest.stat().st_mtime > stamp.stat().st_mtime:
+                stamp.unlink()
 
 
 @dataclass(frozen=True)
@@ -112,9 +127,9 @@ class Study:
 
     def report_state(self) -> str:
         stamp = self.report_stamp()
-        newest = max((r.stamp().stat().st_mtime for r in self.runs if r.stamp().exists()), default=0)
         if any(run.state() != "up to date" for run in self.runs):
             return "follows the runs"
+        newest = max(run.stamp().stat().st_mtime for run in self.runs)
         if stamp.exists():
             return "up to date" if stamp.stat().st_mtime >= newest else "older than a run"
         stamps = list(REPORT.glob(".finished-*"))
@@ -131,7 +146,8 @@ def load(path: Path) -> Study:
         tables = tomllib.loads(text).get("run", [])
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise StudyError(f"{path}: {error}") from error
-    lines = [n for n, line in enumerate(text.splitlines(), 1) if re.match(r"\s*\[\[\s*run\s*\]\]", line)]
+    header = re.compile(r"\s*\[\[\s*run\s*\]\]")
+    lines = [n for n, line in enumerate(text.splitlines(), 1) if header.match(line)]
     if not tables or len(lines) != len(tables):
         raise StudyError(f"{path}: run: found no [[run]] table, expected at least one")
     runs = tuple(_run(table, f"{path}:{line}") for table, line in zip(tables, lines))
@@ -150,9 +166,9 @@ def _run(table: dict, where: str) -> Run:
         return found
 
     for key in table:
-        if key not in ("name", "program", "case", "set", "threads", "timed"):
-            expected = "name, program, case, set, threads or timed"
-            raise StudyError(f"{where}: {key}: found an unknown key, expected {expected}")
+        if key not in RUN_KEYS:
+            expected = ", ".join(RUN_KEYS)
+            raise StudyError(f"{where}: {key}: found an unknown key, expected one of {expected}")
     program = value("program", ("surge-particle", "interFoam").__contains__,
                     "'surge-particle' or 'interFoam'")
     case_there = os.path.isdir if program == "interFoam" else os.path.isfile
@@ -168,6 +184,7 @@ def _run(table: dict, where: str) -> Run:
                         "a list of 'key=value'", [])),
         threads=value("threads", lambda t: type(t) is int and t >= 1, "a whole number >= 1", 1),
         timed=value("timed", lambda t: type(t) is bool, "true or false", True),
+        may_break=value("may_break", lambda t: type(t) is bool, "true or false", False),
     )
 
 
@@ -185,15 +202,30 @@ def _digest(*parts: str | bytes) -> str:
 @functools.cache
 def _canonical(path: Path) -> str:
     """A TOML file without comments and layout: its values decide, not how they are written."""
+    text = path.read_text(encoding="utf-8")
     try:
-        return json.dumps(tomllib.loads(path.read_text(encoding="utf-8")), sort_keys=True, default=str)
+        return json.dumps(tomllib.loads(text), sort_keys=True, default=str)
     except tomllib.TOMLDecodeError:
-        return path.read_text(encoding="utf-8")  # the program will say what is wrong with it
+        return text  # the program will say what is wrong with it
 
 
-@functools.cache
-def _presets() -> tuple[Path, ...]:
-    return tuple(sorted(PRESETS.rglob("*.toml")))
+def _presets(case: Path, settings: tuple[str, ...]) -> list[Path]:
+    """The preset that a run uses and those that it extends; all of them where that is not clear."""
+    everything = sorted(PRESETS.glob("*.toml"))
+    try:
+        method = dict(tomllib.loads(case.read_text(encoding="utf-8")).get("method", {}))
+        for setting in settings:
+            key, value = setting.split("=", 1)
+            if key in ("method.name", "method.preset"):
+                method[key.removeprefix("method.")] = value.strip("\"'")
+        chain = [PRESETS / f"{method['name']}-{method['preset']}.toml"]
+        while base := tomllib.loads(chain[-1].read_text(encoding="utf-8")).get("extends"):
+            chain.append(PRESETS / f"{method['name']}-{base}.toml")
+            if chain[-1] in chain[:-1]:
+                return everything
+        return chain
+    except (OSError, ValueError, KeyError, AttributeError):
+        return everything
 
 
 def _files(paths) -> list[bytes]:
@@ -221,33 +253,18 @@ def _which(program: str) -> Path | None:
 
 @functools.cache
 def _program_digest(program: str) -> str:
-    """Of the object files that a program is linked from, but for the one with the commit in it."""
+    """Of the object files that a program is linked from, but for those that hold no code."""
     objects = subprocess.run(["ninja", "-C", str(BUILD), "-t", "inputs", f"bin/{program}"],
                              capture_output=True, text=True, check=False).stdout.split()
-    found = [BUILD / o for o in objects if o.endswith(".o") and not o.endswith("/version.cpp.o")]
-    found = sorted(path for path in found if path.is_file())
+    found = sorted(BUILD / o for o in objects if o.endswith(".o"))
+    found = [path for path in found if path.name not in NO_CODE and path.is_file()]
     return _digest(*_files(found)) if found else "not built"
 
 
 # --- stamps --------------------------------------------------------------------------------------
 
 
-def finished(folder: Path) -> bool:
-    """Whether the program that wrote the folder says that it came to its end."""
-    try:
-        return json.loads((folder / "manifest.json").read_text())["finished"] is True
-    except (OSError, ValueError, KeyError, TypeError):
-        return False
-
-
-def _withdraw_broken_stamps(folder: Path) -> None:
-    """A stamp vouches for the folder as it was then: not if somebody wrote there since."""
-    for stamp in folder.glob(".finished-*"):
-        if not finished(folder) or (folder / "manifest.json").stat().st_mtime > stamp.stat().st_mtime:
-            stamp.unlink()
-
-
-def _write_stamp(stamp: Path, inputs: dict[str, str]) -> None:
+def write_stamp(stamp: Path, inputs: dict[str, str]) -> None:
     for old in stamp.parent.glob(".finished-*"):
         old.unlink()
     partial = stamp.with_name(".finishing")
@@ -261,132 +278,3 @@ def _changes(stamp: Path, inputs: dict[str, str]) -> str:
     except ValueError:
         before = {}
     return ", ".join(key for key in inputs if before.get(key) != inputs[key]) or "unknown"
-
-
-# --- execution -----------------------------------------------------------------------------------
-
-
-def _say(text: str) -> None:
-    print(f"{time.strftime('%H:%M:%S')} {text}", flush=True)
-
-
-def _call(command: list[str], log, **options) -> bool:
-    log.write("+ " + shlex.join(command) + "\n")
-    log.flush()
-    return subprocess.run(command, stdout=log, stderr=subprocess.STDOUT,
-                          stdin=subprocess.DEVNULL, check=False, **options).returncode == 0
-
-
-def _copy_foam_case(run: Run) -> None:
-    for file in foam_files(run.case):
-        target = run.folder / file.relative_to(run.case)
-        target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(file, target)
-
-
-def _run_foam(run: Run, log) -> bool:
-    """Copies the case, sets the entries of its one included dictionary, and runs it there."""
-    # All that Debian's OpenFOAM needs in the environment.
-    environment = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
-    _copy_foam_case(run)
-    for setting in run.set:
-        key, value = setting.split("=", 1)
-        entry = ["foamDictionary", "-disableFunctionEntries", "-entry", key]
-        file = ["system/caseParameters"]
-        # -set would add an entry that is not there, and a misspelt one would go unnoticed
-        if not _call([*entry, "-value", *file], log, cwd=run.folder, env=environment):
-            log.write(f"system/caseParameters: {key}: found no such entry\n")
-            return False
-        if not _call([*entry, "-set", value, *file], log, cwd=run.folder, env=environment):
-            return False
-    return _call(["./Allrun", "--np", str(run.threads)], log, cwd=run.folder, env=environment)
-
-
-def _run_particle(run: Run, log) -> bool:
-    settings = [word for setting in run.set for word in ("--set", setting)]
-    # The BLAS has threads of its own, which would not heed --threads.
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": str(run.threads)}
-    return _call([str(BUILD / "bin/surge-particle"), "run", str(run.case), "--out", str(run.folder),
-                  "--threads", str(run.threads), *settings], log, env=environment)
-
-
-def execute(study: Study, name: str, digest: str) -> bool:
-    """Makes one run from scratch; the stamp is the last thing that is written."""
-    run = next(r for r in study.runs if r.name == name)
-    if run.digest() != digest:
-        raise StudyError(f"{name}: its inputs changed after the study was started; start it again")
-    shutil.rmtree(run.folder, ignore_errors=True)
-    run.log.parent.mkdir(exist_ok=True)
-    started = time.monotonic()
-    _say(f"{name}: started, log {run.log}")
-    with open(run.log, "w", encoding="utf-8") as log:
-        ran = (_run_foam if run.program == "interFoam" else _run_particle)(run, log)
-    seconds = time.monotonic() - started
-    if not ran or not finished(run.folder):
-        _show_failure(name, run.log, seconds)
-        return False
-    _write_stamp(run.stamp(), run.inputs())
-    _say(f"{name}: finished in {seconds:.1f} s")
-    return True
-
-
-def report(study: Study) -> bool:
-    """Lets surge-compare measure the runs; what it prints is kept as report/summary.txt."""
-    log = RUNS / "report.log"
-    started = time.monotonic()
-    shutil.rmtree(REPORT, ignore_errors=True)
-    REPORT.mkdir()
-    _say(f"report: started, log {log}")
-    command = [str(BUILD / "bin/surge-compare"), "report", "--study", str(study.path),
-               "--runs", str(RUNS), "--out", str(REPORT)]
-    with open(log, "w", encoding="utf-8") as errors:
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=errors, text=True, check=False)
-    seconds = time.monotonic() - started
-    if done.returncode != 0:
-        _show_failure("report", log, seconds)
-        return False
-    (REPORT / "summary.txt").write_text(done.stdout, encoding="utf-8")
-    _write_stamp(study.report_stamp(), study.inputs())
-    _say(f"report: finished in {seconds:.1f} s")
-    return True
-
-
-def _show_failure(name: str, log: Path, seconds: float) -> None:
-    lines = log.read_text(encoding="utf-8", errors="replace").splitlines()
-    _say(f"{name}: FAILED after {seconds:.1f} s; the last lines of {log}:")
-    print("\n".join("    " + line for line in lines[-LOG_LINES:]), flush=True)
-
-
-def plan(study: Study, force: bool) -> None:
-    """Prints, line by line, what an Allrun would do now."""
-    width = max(len(run.name) for run in study.runs)
-    for run in study.runs:
-        state = run.state()
-        todo = force or state != "up to date"
-        print(f"  {run.name:<{width}}  {'run ' if todo else 'keep'}  {'forced' if force else state}")
-    state = "forced" if force else study.report_state()
-    print(f"  {'report':<{width}}  {'keep' if state == 'up to date' else 'make'}  {state}")
-
-
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("task", choices=["plan", "run", "report"])
-    parser.add_argument("study", type=Path)
-    parser.add_argument("name", nargs="?", help="of the run")
-    parser.add_argument("digest", nargs="?", help="of its inputs, as the scheduler saw them")
-    parser.add_argument("--force", action="store_true", help="plan: as if nothing were up to date")
-    options = parser.parse_args()
-    try:
-        study = load(options.study)
-        if options.task == "plan":
-            plan(study, options.force)
-            return 0
-        done = report(study) if options.task == "report" else execute(study, options.name, options.digest)
-        return 0 if done else 1
-    except StudyError as error:
-        print(error, file=sys.stderr)
-        return 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())

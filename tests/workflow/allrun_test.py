@@ -1,0 +1,473 @@
+"""Allrun, its workflow and its package list, in a project of their own.
+
+The programs that compute are stand-ins here, so that failures, hangs and kills can be arranged; what
+is tested is all that lies around them: the scripts, Snakemake and foamDictionary are the real ones.
+"""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+
+PARTICLE = """#!/bin/bash
+# surge-particle run CASE --out DIR --threads N [--set KEY=VALUE]...
+echo "start $*" >>calls
+case $* in
+  *behave=fail*) echo "case.toml:3: spacing: found 7, expected a divisor"; exit 1 ;;
+  *behave=slow*) sleep 1 ;;
+  *behave=hang*) sleep 600 ;;
+esac
+finished=true
+[[ $* != *behave=unfinished* && $* != *behave=break* ]] || finished=false
+mkdir -p "$4"
+printf '{"finished": %s}' $finished >"$4/manifest.json"
+echo "end $*" >>calls
+[[ $* != *behave=break* ]]
+"""
+
+COMPARE = """#!/bin/bash
+# surge-compare report --study FILE --runs DIR --out DIR
+echo "$*" >>calls
+echo page >"$7/index.html"
+echo "the short table"
+"""
+
+FOAM = """#!/bin/bash
+# Allrun --np N
+echo "foam $* in $PWD with $WM_PROJECT_DIR" >>../../calls
+printf '{"finished": true}' >manifest.json
+"""
+
+BUILD_NINJA = """rule none
+  command = true
+build bin/surge-particle: none particle/main.cpp.o particle/version.cpp.o
+build bin/surge-compare: none compare/main.cpp.o particle/version.cpp.o
+"""
+
+CASE = """# a comment
+title = "case"
+[method]
+name = "mps"
+preset = "paper"
+"""
+
+STUDY = """title = "test"
+reference = "vof"
+
+[[run]]
+name = "first"
+program = "surge-particle"
+case = "particle/cases/case.toml"
+
+[[run]]
+name = "second"
+program = "surge-particle"
+case = "particle/cases/case.toml"
+set = [{second}]
+
+[[run]]
+name = "vof"
+program = "interFoam"
+case = "foam_cases/tank"
+set = ["cellsPerL=7"]
+threads = 2
+"""
+
+
+class Project(unittest.TestCase):
+    """A folder with the scripts of this repository and stand-ins for the rest."""
+
+    def setUp(self):
+        self.root = Path(tempfile.mkdtemp(prefix="surgefront-"))
+        self.addCleanup(shutil.rmtree, self.root, ignore_errors=True)
+        shutil.copy(SOURCE / "Allrun", self.root)
+        shutil.copytree(SOURCE / ".ci", self.root / ".ci")
+        for name in ("Snakefile", "study.py", "work.py"):
+            self.write(f"compare/studies/{name}", (SOURCE / "compare/studies" / name).read_text())
+        self.write("compare/reference/measured.csv", "T,Z_over_L\n")
+        self.write("particle/cases/case.toml", CASE)
+        self.write("particle/cases/presets/mps-paper.toml", "[mps]\nbeta = 0.97\n")
+        self.write("build/release/build.ninja", BUILD_NINJA)
+        for name in ("particle/main.cpp.o", "compare/main.cpp.o", "particle/version.cpp.o"):
+            self.write(f"build/release/{name}", name)
+        self.write("build/release/bin/surge-particle", PARTICLE, executable=True)
+        self.write("build/release/bin/surge-compare", COMPARE, executable=True)
+        self.write("foam_cases/tank/Allrun", FOAM, executable=True)
+        self.write("foam_cases/tank/0.orig/U", "field")
+        header = "FoamFile { version 2.0; format ascii; class dictionary; object caseParameters; }\n"
+        self.write("foam_cases/tank/system/caseParameters", header + "cellsPerL 20;\nwall slip;\n")
+        self.study()
+
+    def write(self, name, text, executable=False):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        if executable:
+            path.chmod(0o755)
+
+    def study(self, text=STUDY, second=""):
+        self.write("compare/studies/dam_break.toml", text.replace("{second}", second))
+
+    def allrun(self, *options, start=False, **environment):
+        """Runs Allrun to its end, or starts it as the leader of its own process group."""
+        command = ["./Allrun", "--no-install", "--no-build", *options]
+        settings = {"cwd": self.root, "env": {**os.environ, **environment}, "text": True,
+                    "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+        if start:
+            return subprocess.Popen(command, start_new_session=True, **settings)
+        return subprocess.run(command, timeout=120, check=False, **settings)
+
+    def calls(self):
+        """What ran since the last question: names of the runs, in order."""
+        file = self.root / "calls"
+        lines = file.read_text().splitlines() if file.exists() else []
+        file.unlink(missing_ok=True)
+        names = []
+        for line in lines:
+            if line.startswith("start "):
+                names.append(line.split("--out runs/")[1].split()[0])
+            elif line.startswith("foam "):
+                names.append("vof")
+            elif line.startswith("report "):
+                names.append("report")
+        return names
+
+    def succeed(self, *options, ran):
+        """Allrun must succeed and run just this, in any order but for the report."""
+        done = self.allrun(*options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("the short table", done.stdout)
+        last = done.stdout.rstrip().splitlines()[-1]
+        self.assertEqual(last, f"report: {self.root}/report/index.html")
+        calls = self.calls()
+        self.assertEqual(sorted(calls), sorted(ran))
+        if ran:
+            self.assertEqual(calls[-1], "report")
+        return done
+
+    def wait_for(self, condition):
+        deadline = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), deadline, "waited in vain")
+            time.sleep(0.05)
+
+
+ALL = ["first", "second", "vof", "report"]
+
+
+class Repetition(Project):
+    def test_a_second_call_repeats_only_what_changed(self):
+        self.succeed(ran=ALL)
+        self.succeed(ran=[])
+
+        with self.subTest("comments and times of files decide nothing"):
+            self.write("particle/cases/case.toml", "# another comment\n" + CASE)
+            self.write("compare/studies/dam_break.toml", "# note\n" + STUDY.replace("{second}", ""))
+            (self.root / "build/release/bin/surge-particle").touch()
+            self.write("build/release/particle/version.cpp.o", "another commit")
+            self.write("particle/cases/presets/mps-new.toml", "[mps]\nbeta = 0.9\n")
+            self.succeed(ran=[])
+        with self.subTest("a change of the report repeats no run"):
+            self.write("compare/reference/measured.csv", "T,Z_over_L\n1,1.3\n")
+            self.succeed(ran=["report"])
+            self.write("build/release/compare/main.cpp.o", "better figures")
+            self.succeed(ran=["report"])
+        with self.subTest("case file"):
+            self.write("particle/cases/case.toml", CASE + "tolerance = 1\n")
+            self.succeed(ran=["first", "second", "report"])
+        with self.subTest("preset"):
+            self.write("particle/cases/presets/mps-paper.toml", "[mps]\nbeta = 0.95\n")
+            self.succeed(ran=["first", "second", "report"])
+        with self.subTest("program"):
+            self.write("build/release/particle/main.cpp.o", "another step")
+            self.succeed(ran=["first", "second", "report"])
+        with self.subTest("overrides"):
+            self.study(second='"resolution.spacing=0.01"')
+            self.succeed(ran=["second", "report"])
+        with self.subTest("foam case"):
+            self.write("foam_cases/tank/0.orig/U", "another field")
+            self.succeed(ran=["vof", "report"])
+
+    def test_the_preset_of_an_override_counts_and_so_does_what_it_extends(self):
+        self.write("particle/cases/presets/sph-bare.toml", "[sph]\ngamma = 7\n")
+        self.write("particle/cases/presets/sph-paper.toml", 'extends = "bare"\n[sph]\n')
+        self.study(second='"method.name=sph"')
+        self.succeed(ran=ALL)
+        self.write("particle/cases/presets/sph-bare.toml", "[sph]\ngamma = 1\n")
+        self.succeed(ran=["second", "report"])
+
+    def test_force_repeats_everything(self):
+        self.succeed(ran=ALL)
+        self.succeed("--force", ran=ALL)
+
+    def test_a_folder_that_somebody_wrote_to_is_not_taken_for_the_run(self):
+        self.succeed(ran=ALL)
+        future = time.time() + 5
+        os.utime(self.root / "runs/first/manifest.json", (future, future))
+        (self.root / "runs/second/manifest.json").write_text('{"finished": false}')
+        self.succeed(ran=["first", "second", "report"])
+
+    def test_what_was_removed_is_made_again(self):
+        self.succeed(ran=ALL)
+        shutil.rmtree(self.root / "runs/vof")
+        shutil.rmtree(self.root / ".snakemake")
+        self.succeed(ran=["vof", "report"])
+        shutil.rmtree(self.root / "report")
+        self.succeed(ran=["report"])
+
+    def test_dry_run_says_what_would_be_done_and_writes_nothing(self):
+        before = sorted(self.root.rglob("*"))
+        done = self.allrun("--dry-run")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"first +run +not there yet")
+        self.assertRegex(done.stdout, r"report +make")
+        self.assertEqual(sorted(self.root.rglob("*")), before)
+        self.succeed(ran=ALL)
+        self.study(second='"resolution.spacing=0.01"')
+        done = self.allrun("--dry-run")
+        self.assertRegex(done.stdout, r"first +keep +up to date")
+        self.assertRegex(done.stdout, r"second +run +changed: overrides\n")
+        self.assertEqual(self.calls(), [])
+
+
+class Failure(Project):
+    def failure(self, message, repeated=("second", "report")):
+        done = self.allrun()
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("second: FAILED", done.stdout)
+        self.assertIn("runs/second.log", done.stdout)
+        self.assertIn(message, done.stdout)
+        self.assertNotIn("the short table", done.stdout)
+        self.assertEqual(sorted(self.calls()), ["first", "second", "vof"])
+        self.assertRegex(self.allrun("--dry-run").stdout, r"second +run +failed or stopped last time")
+        self.study(STUDY)
+        self.succeed(ran=repeated)
+
+    def test_a_failed_run_shows_its_log_and_is_repeated(self):
+        self.study(second='"behave=fail"')
+        self.failure("case.toml:3: spacing: found 7, expected a divisor")
+
+    def test_a_program_that_succeeds_without_finishing_has_failed(self):
+        self.study(second='"behave=unfinished"')
+        self.failure("")
+
+    def test_an_end_before_time_is_a_result_only_where_the_study_says_so(self):
+        self.study(second='"behave=break"')
+        self.assertNotEqual(self.allrun().returncode, 0)
+        self.calls()
+        self.study(second='"behave=break"]\nmay_break = true #')
+        done = self.succeed(ran=["second", "report"])
+        self.assertIn("second: broke up", done.stdout)
+        self.succeed(ran=[])
+
+    def test_a_misspelt_foam_entry_is_an_error(self):
+        self.study(STUDY.replace("cellsPerL=7", "cellPerL=7"))
+        done = self.allrun()
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("system/caseParameters: cellPerL: found no such entry", done.stdout)
+
+    def test_after_kill_all_the_interrupted_run_is_repeated(self):
+        self.study(second='"behave=hang"')
+        started = self.allrun(start=True)
+        self.wait_for(lambda: "runs/second" in (self.root / "calls").read_text()
+                      if (self.root / "calls").exists() else False)
+        self.assertTrue(list((self.root / ".snakemake/locks").iterdir()), "no lock to be left behind")
+        # first the scripts and the engine alone: the program that computes goes on
+        for process in self.processes():
+            command = (process / "cmdline").read_text()
+            if any(name in command for name in ("Allrun", "snakemake", "work.py")):
+                os.kill(int(process.name), signal.SIGKILL)
+        started.wait()
+        time.sleep(0.5)
+        done = self.allrun()
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("second: a program of an earlier study is still at work", done.stdout)
+        self.end_what_is_left()
+        started.communicate()
+        self.calls()
+        self.study(STUDY)
+        self.succeed(ran=["second", "report"])
+
+    def processes(self):
+        """Those that work in this project, and no others."""
+        found = []
+        for process in Path("/proc").glob("[0-9]*"):
+            try:
+                if Path(os.readlink(process / "cwd")) == self.root:
+                    found.append(process)
+            except OSError:
+                pass  # it has ended, or is not ours
+        return found
+
+    def end_what_is_left(self):
+        for process in self.processes():
+            try:
+                os.kill(int(process.name), signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+
+    def test_what_a_killed_allrun_left_behind_is_not_disturbed(self):
+        self.study(second='"behave=hang"')
+        started = self.allrun(start=True)
+        self.addCleanup(self.end_what_is_left)
+        self.wait_for(lambda: (self.root / "calls").exists()
+                      and "runs/second" in (self.root / "calls").read_text())
+        started.kill()
+        done = self.allrun()
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("still at work in this folder", done.stderr)
+        self.end_what_is_left()
+        started.communicate()
+
+
+class Schedule(Project):
+    SLOW = STUDY.replace('case = "particle', 'set = ["behave=slow"]\ncase = "particle', 1)
+
+    def most_at_once(self):
+        running = most = 0
+        for line in (self.root / "calls").read_text().splitlines():
+            if "surge" not in line and line.startswith(("start", "end")):
+                running += 1 if line.startswith("start") else -1
+                most = max(most, running)
+        return most
+
+    def test_a_timed_run_is_alone_on_the_machine(self):
+        self.study(self.SLOW, second='"behave=slow"')
+        self.assertEqual(self.allrun("--jobs", "3").returncode, 0)
+        self.assertEqual(self.most_at_once(), 1)
+
+    def test_runs_that_are_not_timed_share_it(self):
+        study = self.SLOW.replace("[[run]]", "[[run]]\ntimed = false")
+        self.study(study, second='"behave=slow"')
+        self.assertEqual(self.allrun("--jobs", "3").returncode, 0)
+        self.assertEqual(self.most_at_once(), 2)
+
+    def test_overrides_arrive_as_they_were_written(self):
+        words = ["title=it's \\\"$HOME\\\" & {more} *", "fluid.gravity=[0.0, -9.81]"]
+        self.study(STUDY.replace("{second}", ", ".join(f'"{word}"' for word in words)))
+        self.assertEqual(self.allrun().returncode, 0)
+        calls = (self.root / "calls").read_text()
+        self.assertIn("""--set title=it's "$HOME" & {more} * --set fluid.gravity=[0.0, -9.81]""", calls)
+
+    def test_a_foam_case_is_copied_clean_and_set_up_there(self):
+        for left in ("log.interFoam", "processor0/0/U", "0.25/U", "constant/polyMesh/faces"):
+            self.write(f"foam_cases/tank/{left}", "left by a run in place")
+        self.assertEqual(self.allrun().returncode, 0)
+        copy = self.root / "runs/vof"
+        files = {str(f.relative_to(copy)) for f in copy.rglob("*")
+                 if f.is_file() and not f.name.startswith(".finished")}
+        self.assertEqual(files, {"Allrun", "0.orig/U", "system/caseParameters", "manifest.json"})
+        self.assertRegex((copy / "system/caseParameters").read_text(), r"cellsPerL\s+7;")
+        template = (self.root / "foam_cases/tank/system/caseParameters").read_text()
+        self.assertIn("cellsPerL 20;", template)
+        calls = (self.root / "calls").read_text()
+        self.assertIn(f"foam --np 2 in {copy} with /usr/share/openfoam", calls)
+
+
+class Mistakes(Project):
+    def test_each_wrong_option_gets_one_line(self):
+        for options, expected in [
+            (["--fast"], "Allrun: unknown option '--fast'; ./Allrun --help lists them"),
+            (["--jobs", "many"], "Allrun: --jobs: found 'many', expected a whole number of at least 1"),
+            (["--jobs"], "Allrun: --jobs: expected a number"),
+            (["--quick", "--full"], "Allrun: --full: only one of --quick, --full and --study can be chosen"),
+            (["--study", "no.toml"], "Allrun: no.toml: there is no such study; "
+                                     "there are: compare/studies/dam_break.toml"),
+        ]:
+            with self.subTest(options):
+                done = self.allrun(*options)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertEqual((done.stdout, done.stderr), ("", expected + "\n"))
+
+    def test_each_mistake_in_a_study_names_file_line_and_key(self):
+        where = "compare/studies/dam_break.toml"
+        for wrong, right, expected in [
+            ("threads = 2", "threads = 0", f"{where}:15: threads: found 0, expected a whole number >= 1"),
+            ("threads = 2", "treads = 2", f"{where}:15: treads: found an unknown key"),
+            ('name = "second"', 'name = "first"', f"{where}:9: name: found 'first' a second time"),
+            ('name = "second"', 'name = "../x"', f"{where}:9: name: found '../x', expected a name"),
+            ('program = "interFoam"', 'program = "foam"', f"{where}:15: program: found 'foam', expected"),
+            ("foam_cases/tank", "foam_cases/pond", f"{where}:15: case: found 'foam_cases/pond', expected"),
+            ('"cellsPerL=7"', '"cellsPerL"', f"{where}:15: set: found ['cellsPerL'], expected a list"),
+            ('title = "test"', "title = ", f"{where}: Invalid value (at line 1, column 9)"),
+            (STUDY[STUDY.index("[[run]]"):], "", f"{where}: run: found no [[run]] table"),
+        ]:
+            with self.subTest(right):
+                self.study(STUDY.replace(wrong, right))
+                done = self.allrun()
+                self.assertNotEqual(done.returncode, 0)
+                self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+                self.assertTrue(done.stderr.startswith(expected), done.stderr)
+                self.assertEqual(self.calls(), [])
+
+    def test_help_names_every_option(self):
+        done = self.allrun("--help")
+        self.assertEqual(done.returncode, 0)
+        for option in ("--quick", "--full", "--study", "--dry-run", "--force", "--jobs", "--no-install"):
+            self.assertIn(option, done.stdout)
+
+
+class Packages(Project):
+    def machine(self, installed, user=0):
+        """PATH of a machine on which just these packages are installed."""
+        self.write("tools/dpkg-query", "#!/bin/bash\n[[ ' " + " ".join(installed)
+                   + " ' == *\" ${@: -1} \"* ]] && echo -n installed\n", executable=True)
+        self.write("tools/id", f"#!/bin/bash\necho {user}\n", executable=True)
+        for name in ("apt-get", "sudo"):
+            self.write(f"tools/{name}", f'#!/bin/bash\necho "{name} $*" >>{self.root}/installed\n'
+                       f'[[ {name} != apt-get || $* != *broken* ]]\n', executable=True)
+        return f"{self.root}/tools:{os.environ['PATH']}"
+
+    def ensure(self, mode, **machine):
+        path = self.machine(**machine)
+        self.write(".ci/packages.txt", "# what for\ng++\ncmake  # builds\n\nopenfoam\n")
+        return subprocess.run(
+            ["bash", "-c", f"program=Allrun; . .ci/functions; ensure_packages {mode}"],
+            cwd=self.root, env={**os.environ, "PATH": path}, text=True, capture_output=True, check=False)
+
+    def installed(self):
+        file = self.root / "installed"
+        return file.read_text().splitlines() if file.exists() else []
+
+    def test_nothing_is_done_where_all_is_there(self):
+        done = self.ensure("install", installed=["g++", "cmake", "openfoam"])
+        self.assertEqual((done.returncode, done.stdout), (0, "packages: all 3 are installed\n"))
+        self.assertEqual(self.installed(), [])
+
+    def test_no_install_prints_the_command_and_stops(self):
+        done = self.ensure("ask", installed=["cmake"])
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("packages missing: g++ openfoam\n", done.stdout)
+        self.assertIn("apt-get install --yes --no-install-recommends g++ openfoam\n", done.stdout)
+        self.assertEqual(self.installed(), [])
+
+    def test_root_installs_just_what_is_missing(self):
+        done = self.ensure("install", installed=["cmake"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.installed(), [
+            "apt-get update --quiet", "apt-get install --yes --no-install-recommends g++ openfoam"])
+
+    def test_others_use_sudo(self):
+        done = self.ensure("install", installed=["cmake"], user=1000)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.installed(), [
+            "sudo apt-get update --quiet",
+            "sudo apt-get install --yes --no-install-recommends g++ openfoam"])
+
+    def test_the_list_names_packages_once_each(self):
+        lines = (SOURCE / ".ci/packages.txt").read_text().splitlines()
+        names = [line.split("#")[0].strip() for line in lines if line.split("#")[0].strip()]
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            self.assertRegex(name, r"^[a-z0-9][a-z0-9+.-]+$")
+
+
+if __name__ == "__main__":
+    unittest.main()
