@@ -96,6 +96,7 @@ std::pair<int, std::string> run_gnuplot(const fs::path& folder, const std::strin
 void draw(const Figure& figure, const fs::path& folder) {
   fs::create_directories(folder);
   for (const auto& table : figure.tables) write_csv(table, folder);
+  for (const auto& [name, image] : figure.images) image.write_png(folder / (name + ".png"));
   const std::string script = figure.name + ".gp";
   std::ofstream out(folder / script);
   out << preamble(figure) << figure.script << "\nunset output\nreset session\n}\n";
@@ -108,14 +109,22 @@ void draw(const Figure& figure, const fs::path& folder) {
   }
 }
 
-std::string plot_text(const std::string& text) {
+std::string plot_string(const std::string& text) {
   std::string result;
   for (char c : text) {
-    if (std::strchr("_^{}@&~", c) != nullptr) result += "\\\\";
     if (c == '"' || c == '\\') result += '\\';
     result += c;
   }
   return '"' + result + '"';
+}
+
+std::string plot_label(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
+    result += c;
+  }
+  return plot_string(result);
 }
 
 }  // namespace surge::compare

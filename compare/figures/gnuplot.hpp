@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/figures/image.hpp"
 #include "compare/figures/table.hpp"
 
 namespace surge::compare {
@@ -21,14 +22,17 @@ struct Figure {
   double width_mm = single_column_mm;
   double height_mm = 70.0;
   std::string script;         ///< gnuplot commands; data files are named relative to the folder
-  std::vector<Table> tables;  ///< written as CSV before gnuplot runs
+  std::vector<Table> tables;       ///< written as CSV before gnuplot runs
+  std::vector<NamedImage> images;  ///< written as PNG before gnuplot runs
 };
 
 /// Writes NAME.gp, NAME.svg, NAME.pdf and the tables into the folder. `gnuplot NAME.gp` there
 /// draws it again. Throws Error with gnuplot's own message where it fails or is not installed.
 void draw(const Figure& figure, const std::filesystem::path& folder);
 
-/// Text as a gnuplot string in double quotes with enhanced mode's special characters disarmed.
-[[nodiscard]] std::string plot_text(const std::string& text);
+/// Text as a gnuplot string in double quotes, characters as they are.
+[[nodiscard]] std::string plot_string(const std::string& text);
+/// The same, with the special characters of enhanced mode disarmed: for labels and titles.
+[[nodiscard]] std::string plot_label(const std::string& text);
 
 }  // namespace surge::compare

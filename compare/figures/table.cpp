@@ -19,13 +19,13 @@ std::string quoted(const std::string& word) {
 }
 
 std::string cell_text(const Table::Cell& cell) {
-  if (const auto* value = std::get_if<double>(&cell)) return number_text(*value);
+  if (const auto* value = std::get_if<double>(&cell)) return plot_number(*value);
   return quoted(std::get<std::string>(cell));
 }
 
 }  // namespace
 
-std::string number_text(double value) {
+std::string plot_number(double value) {
   if (!std::isfinite(value)) return "NaN";
   std::array<char, 32> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

@@ -20,7 +20,7 @@ struct Table {
 
 /// Shortest text that reads back as the same double; "NaN" where the value is not finite, because
 /// gnuplot takes that as a gap.
-[[nodiscard]] std::string number_text(double value);
+[[nodiscard]] std::string plot_number(double value);
 
 /// The value with a fixed number of decimals, for people; "not available" is the caller's business.
 [[nodiscard]] std::string fixed_text(double value, int decimals);
