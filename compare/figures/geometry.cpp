@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "compare/figures/figures.hpp"
@@ -33,9 +34,11 @@ Drawing drawing_of(const Physics& physics) {
   d.length = physics.column_width().value();
   d.column_width = d.length;
   d.column_height = physics.column.upper[up] - physics.column.lower[up];
-  d.walls = physics.tank.has_value();
+  d.walls = physics.far_wall().has_value();
   d.tank_width = d.walls ? physics.far_wall()->value() : 1.5 * d.length;
-  d.tank_height = d.walls ? physics.tank->upper[up] - physics.tank->lower[up] : d.column_height;
+  const double height = d.walls ? physics.tank->upper[up] - physics.tank->lower[up] : 0.0;
+  // Some sources state the tank's floor and walls, but not where these end.
+  d.tank_height = std::isfinite(height) && height > 0.0 ? height : 1.25 * d.column_height;
   d.top = std::min(d.tank_height, 1.25 * d.column_height);
   return d;
 }

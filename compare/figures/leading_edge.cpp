@@ -23,7 +23,7 @@ std::vector<Curve> curves_of(const StudyResult& study) {
     const LineStyle style = reference ? reference_style() : run_style(index);
     if (!reference) ++index;
     std::string label = run->label();
-    if (run->status == RunStatus::unfinished) label += " (" + run->note + ")";
+    if (!run->note.empty()) label += " (" + run->note + ")";
     curves.push_back({run, style, label});
   }
   return curves;

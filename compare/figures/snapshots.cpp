@@ -60,7 +60,7 @@ Panel make_panel(const RunResult& run, Seconds time) {
   FrameReader& frames = *run.measured->run.frames;
   const auto index = frame_at(frames.times(), time);
   if (!index) {
-    panel.missing = run.status == RunStatus::unfinished ? run.note : "no frame at this time";
+    panel.missing = run.note.empty() ? "no frame at this time" : run.note;
     return panel;
   }
   panel.time = frames.times()[*index];

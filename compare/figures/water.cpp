@@ -35,7 +35,7 @@ struct View {
     const double height = run.physics.column.upper[up] - run.physics.column.lower[up];
     // A source that does not state its density is water.
     pressure_scale = run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
-    const Bounds& box = run.physics.tank ? *run.physics.tank : run.physics.column;
+    const Extent& box = run.physics.tank ? *run.physics.tank : run.physics.column;
     middle = 0.5 * (box.lower[depth] + box.upper[depth]);
   }
   [[nodiscard]] double x(double metres) const { return (metres - x_origin) / length; }

@@ -55,9 +55,11 @@ std::string Values::element(const std::string& pointer, const std::string& shown
 std::string Values::number(const std::string& pointer, int decimals) const {
   const json& value = at(pointer);
   if (value.is_null()) return element(pointer, "–");
-  std::string shown = fixed_text(value.get<double>(), decimals);
-  if (shown.find_first_not_of("-0.") == std::string::npos && shown[0] == '-') shown.erase(0, 1);
-  if (shown[0] == '-') shown.replace(0, 1, "−");
+  const double x = value.get<double>();
+  const std::string size = fixed_text(std::abs(x), decimals);
+  const bool zero = size.find_first_not_of("0.") == std::string::npos;
+  std::string shown = x < 0.0 && !zero ? "−" : "";
+  shown += size;
   return element(pointer, shown);
 }
 
@@ -72,7 +74,9 @@ std::string Values::magnitude(const std::string& pointer) const {
 std::string Values::signed_number(const std::string& pointer, int decimals) const {
   const json& value = at(pointer);
   if (value.is_null() || value.get<double>() <= 0.0) return number(pointer, decimals);
-  return element(pointer, "+" + fixed_text(value.get<double>(), decimals));
+  std::string shown = "+";
+  shown += fixed_text(value.get<double>(), decimals);
+  return element(pointer, shown);
 }
 
 std::string Values::text(const std::string& pointer) const {

@@ -31,7 +31,7 @@ thead th { border-bottom: 1px solid #888; font-weight: 600; }
 th:first-child, .words td, .words th { text-align: left; }
 tbody th { font-weight: 500; white-space: nowrap; }
 .status-complete { color: #00664a; }
-.status-unfinished, .status-unreadable, .status-missing { color: #b04a00; font-weight: 600; }
+.status-unfinished, .status-unusable, .status-missing { color: #b04a00; font-weight: 600; }
 code { font-size: .92em; overflow-wrap: anywhere; }
 )css";
 

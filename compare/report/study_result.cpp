@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
+#include <optional>
 
 #include "compare/figures/table.hpp"
 #include "particle/support/error.hpp"
@@ -26,21 +26,62 @@ std::string short_number(double value) {
   return text;
 }
 
-RunResult collect_run(const StudyRun& study, const fs::path& folder, const FrontOptions& options) {
-  RunResult result{study, RunStatus::missing, folder.string() + " does not exist", std::nullopt};
-  if (!fs::exists(folder)) return result;
-  try {
-    result.measured = measure(open_run(folder), options);
-  } catch (const Error& error) {
-    result.status = RunStatus::unreadable;
-    result.note = error.what();
-    return result;
+std::string note_of(const MeasuredRun& measured, bool finished) {
+  const std::string last = short_number(measured.history.back().time.value()) + " s";
+  if (measured.history.size() < measured.run.frames->times().size()) {
+    return "no leading edge after " + last;
   }
-  const auto& manifest = result.measured->run.manifest;
-  const bool finished = manifest.is_object() && manifest.value("finished", false);
-  result.status = finished ? RunStatus::complete : RunStatus::unfinished;
-  result.note = finished ? "" : "ends at " + short_number(result.last_time()->value()) + " s";
-  return result;
+  return finished ? "" : "ends at " + last;
+}
+
+bool is_finished(const Run& run) {
+  return run.manifest.is_object() && run.manifest.value("finished", false);
+}
+
+/// Throws Error where the two runs computed different cases or share no time.
+void require_comparable(const MeasuredRun& run, const MeasuredRun& reference,
+                        const WallRule& wall) {
+  require_same_physics(compare_physics(run.run.physics, run.run.name, reference.run.physics,
+                                       reference.run.name),
+                       {});
+  static_cast<void>(common_window(run.front, reference.front, wall));
+}
+
+WallRule wall_of(const Physics& physics) {
+  WallRule rule;
+  if (const auto wall = physics.far_wall()) rule.far_wall = physics.scales().dimensionless(*wall);
+  return rule;
+}
+
+MeasuredRun measure_reference(const Study& study, const fs::path& folder,
+                              const FrontOptions& options) {
+  const std::string what = "reference run " + study.reference + ": ";
+  if (!fs::exists(folder)) {
+    throw Error(what + folder.string() + " does not exist, expected the run's folder");
+  }
+  try {
+    return measure(open_run(folder), options);
+  } catch (const Error& error) {
+    throw Error(what + error.what());
+  }
+}
+
+/// Sets the run's status; gives the measured run where it may stand beside the reference.
+std::optional<MeasuredRun> collect_run(RunResult& result, const fs::path& folder,
+                                       const MeasuredRun& reference, const FrontOptions& options) {
+  if (!fs::exists(folder)) {
+    result.note = folder.string() + " does not exist";
+    return std::nullopt;
+  }
+  try {
+    MeasuredRun measured = measure(open_run(folder), options);
+    require_comparable(measured, reference, wall_of(reference.run.physics));
+    return measured;
+  } catch (const Error& error) {
+    result.status = RunStatus::unusable;
+    result.note = error.what();
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -49,7 +90,7 @@ std::string status_text(RunStatus status) {
   switch (status) {
     case RunStatus::complete: return "complete";
     case RunStatus::unfinished: return "unfinished";
-    case RunStatus::unreadable: return "unreadable";
+    case RunStatus::unusable: return "unusable";
     case RunStatus::missing: return "missing";
   }
   return "unknown";
@@ -85,25 +126,31 @@ std::vector<const RunResult*> StudyResult::measured() const {
   return result;
 }
 
-WallRule StudyResult::wall() const {
-  WallRule rule;
-  const Physics& physics = reference_run().run.physics;
-  if (const auto wall = physics.far_wall()) rule.far_wall = physics.scales().dimensionless(*wall);
-  return rule;
-}
+WallRule StudyResult::wall() const { return wall_of(reference_run().run.physics); }
 
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
-  StudyResult result{study, {}, {}};
-  for (const auto& run : study.runs) {
-    result.runs.push_back(collect_run(run, runs / run.name, result.front_options()));
-  }
-  const RunResult& reference = result.reference();
-  if (!reference.measured) {
-    throw Error("reference run " + study.reference + ": " + status_text(reference.status) + " (" +
-                reference.note + "), expected a run that can be measured");
-  }
+  StudyResult result{study, {}, {}, {}};
   for (const auto& name : study.published) {
     result.published.push_back(read_series(series_folder / (name + ".csv")));
+  }
+  const FrontOptions options = result.front_options();
+  // Results point into this vector, which therefore must not grow beyond what it holds now.
+  result.measured_runs.reserve(study.runs.size());
+  const MeasuredRun& reference = result.measured_runs.emplace_back(
+      measure_reference(study, runs / study.reference, options));
+  for (const auto& run : study.runs) {
+    RunResult entry{run, RunStatus::missing, "", nullptr};
+    if (run.name == study.reference) {
+      entry.measured = &reference;
+    } else if (auto measured = collect_run(entry, runs / run.name, reference, options)) {
+      entry.measured = &result.measured_runs.emplace_back(std::move(*measured));
+    }
+    if (entry.measured != nullptr) {
+      const bool finished = is_finished(entry.measured->run);
+      entry.status = finished ? RunStatus::complete : RunStatus::unfinished;
+      entry.note = note_of(*entry.measured, finished);
+    }
+    result.runs.push_back(std::move(entry));
   }
   return result;
 }
