@@ -10,6 +10,9 @@ enum ExitCode : int { exit_success = 0, exit_error = 1, exit_check_failed = 2, e
 /// Each adds a subcommand whose callback does the work and throws surge::Error.
 void add_front_command(CLI::App& app);
 void add_metrics_command(CLI::App& app);
+void add_figure_command(CLI::App& app);
+void add_figures_command(CLI::App& app);
+void add_report_command(CLI::App& app);
 /// Stores in exit_code what main returns: 0, exit_check_failed or exit_skipped.
 void add_check_command(CLI::App& app, int& exit_code);
 

@@ -14,6 +14,9 @@ int main(int argc, char** argv) {
   add_front_command(app);
   add_metrics_command(app);
   add_check_command(app, exit_code);
+  add_figure_command(app);
+  add_figures_command(app);
+  add_report_command(app);
   try {
     app.parse(argc, argv);
     return exit_code;

@@ -1,0 +1,90 @@
+#include <cstdio>
+#include <memory>
+
+#include "compare/commands.hpp"
+#include "compare/figures/figures.hpp"
+#include "compare/report/report.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Arguments {
+  std::string study;
+  std::string runs = "runs";
+  std::string out;
+  std::string series;
+  std::string figure;
+};
+
+/// Options that say what is to be shown; the three commands share them.
+void add_study_options(CLI::App& command, Arguments& arguments, const std::string& out) {
+  arguments.out = out;
+  command.add_option("--study", arguments.study, "study (TOML): runs, reference, snapshot times")
+      ->required();
+  command.add_option("--runs", arguments.runs, "folder of the runs")->capture_default_str();
+  command.add_option("--out", arguments.out, "folder to write to")->capture_default_str();
+  command.add_option("--series", arguments.series,
+                     "folder of the published series (default: ../reference beside the study)");
+}
+
+StudyResult collect_study(const Arguments& arguments) {
+  const fs::path file = arguments.study;
+  const fs::path beside = (file.parent_path() / ".." / "reference").lexically_normal();
+  return collect(read_study(file), arguments.runs,
+                 arguments.series.empty() ? beside : fs::path(arguments.series));
+}
+
+void draw_and_say(const FigureDefinition& definition, const StudyResult& study,
+                  const fs::path& folder) {
+  const Figure figure = definition.make(study);
+  draw(figure, folder);
+  std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
+}
+
+void run_report(const Arguments& arguments) {
+  const StudyResult study = collect_study(arguments);
+  const nlohmann::json metrics = write_report(study, arguments.out);
+  std::printf("%s\nreport: %s\n", summary_table(study, metrics).c_str(),
+              fs::absolute(fs::path(arguments.out) / "index.html").lexically_normal().c_str());
+}
+
+}  // namespace
+
+void add_figures_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("figures", "Draws all figures of a study as SVG and PDF");
+  add_study_options(*command, *arguments, "report/figures");
+  command->callback([arguments] {
+    const StudyResult study = collect_study(*arguments);
+    for (const auto& definition : all_figures()) draw_and_say(definition, study, arguments->out);
+  });
+}
+
+void add_figure_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("figure", "Draws one figure of a study as SVG and PDF");
+  command->add_option("NUMBER", arguments->figure, "as in the paper (8), or a name (fig8_shifted)")
+      ->required();
+  add_study_options(*command, *arguments, "report/figures");
+  command->callback([arguments] {
+    const FigureDefinition& definition = find_figure(arguments->figure);
+    draw_and_say(definition, collect_study(*arguments), arguments->out);
+  });
+}
+
+void add_report_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("report", "Writes index.html, metrics.json and figures of a study");
+  add_study_options(*command, *arguments, "report");
+  command->footer(
+      "Example:\n"
+      "  surge-compare report --study compare/studies/dam_break.toml --runs runs --out report");
+  command->callback([arguments] { run_report(*arguments); });
+}
+
+}  // namespace surge::compare

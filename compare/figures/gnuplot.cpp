@@ -1,0 +1,130 @@
+#include "compare/figures/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "particle/support/error.hpp"
+
+extern char** environ;
+
+namespace surge::compare {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Terminals and style. Text is 7 pt in both files: readable at the printed width.
+std::string preamble(const Figure& figure) {
+  const auto pixels = [](double mm) { return std::to_string(std::lround(mm / 25.4 * 96.0)); };
+  const auto cm = [](double mm) { return fixed_text(mm / 10.0, 2) + "cm"; };
+  std::ostringstream out;
+  out << "# " << figure.title << "\n# Draws " << figure.name << ".svg and " << figure.name
+      << ".pdf again: gnuplot " << figure.name << ".gp\n"
+      << "do for [kind in \"svg pdf\"] {\n"
+      << "if (kind eq \"svg\") { set terminal svg enhanced size " << pixels(figure.width_mm) << ','
+      << pixels(figure.height_mm) << " font \"sans-serif,9.3\" background rgb \"white\" name \""
+      << figure.name << "\" } else { set terminal pdfcairo enhanced color size "
+      << cm(figure.width_mm) << ',' << cm(figure.height_mm)
+      << " font \"Sans,7\" linewidth 0.75 fontscale 1 }\n"
+      << "set output \"" << figure.name << ".\".kind\n"
+      << R"(set encoding utf8
+set datafile separator comma
+set datafile columnheaders
+set border 3 lw 0.8 lc rgb "#404040"
+set tics nomirror out scale 0.5 textcolor rgb "#202020"
+set grid lt 1 lw 0.4 lc rgb "#e4e4e4"
+set key samplen 2.2 spacing 1.05 noenhanced textcolor rgb "#202020"
+set bars 0.4
+)";
+  return out.str();
+}
+
+/// Reads the pipe until the writer closes it, then releases it.
+std::string read_all(int descriptor) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    const ssize_t count = read(descriptor, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  close(descriptor);
+  return text;
+}
+
+/// Runs `gnuplot script` in the folder and returns its exit status and what it said.
+std::pair<int, std::string> run_gnuplot(const fs::path& folder, const std::string& script) {
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("gnuplot: no pipe: " + std::string(strerror(errno)));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  std::string program = "gnuplot";
+  std::string argument = script;
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  pid_t child = 0;
+  const int failure =
+      posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  close(ends[1]);
+  const std::string said = read_all(ends[0]);
+  if (failure == ENOENT) {
+    throw Error("gnuplot: not found on PATH, expected the program (Debian package gnuplot-nox)");
+  }
+  if (failure != 0) throw Error("gnuplot: " + std::string(strerror(failure)));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
+}
+
+}  // namespace
+
+void draw(const Figure& figure, const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const auto& table : figure.tables) write_csv(table, folder);
+  for (const auto& [name, image] : figure.images) image.write_png(folder / (name + ".png"));
+  const std::string script = figure.name + ".gp";
+  std::ofstream out(folder / script);
+  out << preamble(figure) << figure.script << "\nunset output\nreset session\n}\n";
+  out.close();
+  if (!out) throw Error((folder / script).string() + ": cannot be written");
+  const auto [status, said] = run_gnuplot(folder, script);
+  // gnuplot warns about empty data and goes on; a figure with a silent hole is worse than none.
+  if (status != 0 || !said.empty()) {
+    throw Error((folder / script).string() + ": gnuplot failed: " + said);
+  }
+}
+
+std::string plot_string(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return '"' + result + '"';
+}
+
+std::string plot_label(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
+    result += c;
+  }
+  return plot_string(result);
+}
+
+}  // namespace surge::compare

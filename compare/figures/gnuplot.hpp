@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/figures/image.hpp"
+#include "compare/figures/table.hpp"
+
+namespace surge::compare {
+
+/// Widths of a journal's columns.
+inline constexpr double single_column_mm = 84.0;
+inline constexpr double double_column_mm = 174.0;
+
+/// A figure before it is drawn. The script holds only what is particular to it: terminal, fonts,
+/// axes and grid come from draw(), so that all figures look alike.
+struct Figure {
+  std::string name;     ///< file stem, such as fig8
+  std::string title;    ///< heading, such as "Fig. 8. Motion of the leading edge"
+  std::string caption;  ///< what the reader has to know, plain text
+  double width_mm = single_column_mm;
+  double height_mm = 70.0;
+  std::string script;         ///< gnuplot commands; data files are named relative to the folder
+  std::vector<Table> tables;       ///< written as CSV before gnuplot runs
+  std::vector<NamedImage> images;  ///< written as PNG before gnuplot runs
+};
+
+/// Writes NAME.gp, NAME.svg, NAME.pdf and the tables into the folder. `gnuplot NAME.gp` there
+/// draws it again. Throws Error with gnuplot's own message where it fails or is not installed.
+void draw(const Figure& figure, const std::filesystem::path& folder);
+
+/// Text as a gnuplot string in double quotes, characters as they are.
+[[nodiscard]] std::string plot_string(const std::string& text);
+/// The same, with the special characters of enhanced mode disarmed: for labels and titles.
+[[nodiscard]] std::string plot_label(const std::string& text);
+
+}  // namespace surge::compare

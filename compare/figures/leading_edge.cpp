@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/figures/figures.hpp"
+#include "compare/figures/style.hpp"
+
+namespace surge::compare {
+
+namespace {
+
+/// A curve's place in the legend and in the CSV files: its label is its key there.
+struct Curve {
+  const RunResult* run;
+  LineStyle style;
+  std::string label;
+};
+
+std::vector<Curve> curves_of(const StudyResult& study) {
+  std::vector<Curve> curves;
+  std::size_t index = 0;
+  for (const RunResult* run : study.measured()) {
+    const bool reference = run == &study.reference();
+    const LineStyle style = reference ? reference_style() : run_style(index);
+    if (!reference) ++index;
+    std::string label = run->label();
+    if (!run->note.empty()) label += " (" + run->note + ")";
+    curves.push_back({run, style, label});
+  }
+  return curves;
+}
+
+std::string filtered(const std::string& file, const std::string& label, const std::string& x,
+                     const std::string& y) {
+  return "\"" + file + ".csv\" using (strcol(1) eq " + plot_string(label) + " ? column(\"" + x +
+         "\") : NaN):(column(\"" + y + "\"))";
+}
+
+/// Shift in time per published series; none where it is shown as measured.
+std::vector<double> shifts_of(const StudyResult& study, bool shifted) {
+  std::vector<double> shifts;
+  for (const auto& series : study.published) {
+    shifts.push_back(shifted ? against_series(study.reference_run().front, series, study.wall())
+                                   .shift.value()
+                             : 0.0);
+  }
+  return shifts;
+}
+
+std::string series_label(const PublishedSeries& series, double shift) {
+  if (shift == 0.0) return series.label;
+  const std::string sign = shift < 0.0 ? "−" : "+";
+  return series.label + ", T " + sign + " " + fixed_text(std::abs(shift), 2);
+}
+
+Table front_table(const std::string& name, const StudyResult& study,
+                  const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+  Table table{name, {"series", "kind", "time_s", "T", "Z_over_L", "dT", "dZ"}, {}};
+  for (const auto& curve : curves) {
+    const MeasuredRun& measured = *curve.run->measured;
+    for (std::size_t i = 0; i < measured.front.samples.size(); ++i) {
+      const auto& sample = measured.front.samples[i];
+      table.add({curve.label, "computed", measured.history[i].time.value(), sample.time.value(),
+                 sample.position.value(), 0.0, 0.0});
+    }
+  }
+  const Scales scales = study.reference_run().run.physics.scales();
+  for (std::size_t i = 0; i < study.published.size(); ++i) {
+    const auto& series = study.published[i];
+    for (const auto& sample : series.front.samples) {
+      const DimensionlessTime time = sample.time + DimensionlessTime(shifts[i]);
+      table.add({series_label(series, shifts[i]), "published", scales.dimensional(time).value(),
+                 time.value(), sample.position.value(), series.time_uncertainty.value(),
+                 series.position_uncertainty.value()});
+    }
+  }
+  return table;
+}
+
+/// Z/L of each run minus the reference's at the run's own times, inside the common window.
+Table difference_table(const std::string& name, const StudyResult& study,
+                       const std::vector<Curve>& curves) {
+  Table table{name, {"series", "T", "dZ_over_L"}, {}};
+  const DimensionlessFront& reference = study.reference_run().front;
+  for (const auto& curve : curves) {
+    if (curve.run == &study.reference()) continue;
+    const DimensionlessFront& front = curve.run->measured->front;
+    const Window window = common_window(front, reference, study.wall());
+    for (const auto& sample : front.samples) {
+      if (sample.time < window.begin || sample.time > window.end) continue;
+      const auto other = reference.at(sample.time);
+      if (other) {
+        table.add({curve.label, sample.time.value(), (sample.position - *other).value()});
+      }
+    }
+  }
+  return table;
+}
+
+std::string window_mark(const StudyResult& study, const std::string& lower,
+                        const std::string& upper) {
+  const auto end = window_end(study);
+  if (!end) return "";
+  const std::string t = fixed_text(end->value(), 4);
+  return "set arrow 1 from " + t + "," + lower + " to " + t + "," + upper +
+         " nohead lw 0.8 dt '_' lc rgb \"#808080\"\n";
+}
+
+struct Axes {
+  double t_end, z_end;
+};
+
+/// The axes end a little after the fronts are at the far wall; without a wall, where the data end.
+Axes axes_of(const StudyResult& study) {
+  Axes axes{0.0, 0.0};
+  const auto wall = study.wall().far_wall;
+  for (const RunResult* run : study.measured()) {
+    const auto& samples = run->measured->front.samples;
+    const auto arrival = wall ? run->measured->front.arrival(*study.wall().limit()) : std::nullopt;
+    axes.t_end = std::max(axes.t_end, arrival ? arrival->value() : samples.back().time.value());
+    for (const auto& s : samples) axes.z_end = std::max(axes.z_end, s.position.value());
+  }
+  if (wall) {
+    // A run that never gets there must not stretch the axis over the whole run.
+    const auto end = window_end(study);
+    if (end) axes.t_end = std::min(axes.t_end, end->value() + 1.5);
+    axes.z_end = wall->value();
+  }
+  return {std::ceil(2.0 * (axes.t_end + 0.1)) / 2.0, axes.z_end + 0.15};
+}
+
+std::string upper_panel(const std::string& file, const StudyResult& study,
+                        const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+  const Axes axes = axes_of(study);
+  const std::string ranges = "set xrange [0:" + fixed_text(axes.t_end, 2) + "]\nset yrange [0.9:" +
+                             fixed_text(axes.z_end, 3) + "]\nset ytics 0.5\nset xtics 0.5\n";
+  std::string script = ranges + window_mark(study, "graph 0", "graph 1");
+  if (const auto end = window_end(study)) {
+    script += "set label 1 \"end of window\" at " + fixed_text(end->value(), 4) +
+              ", graph 0.02 rotate by 90 offset character -0.6,0 font \",5.6\" "
+              "textcolor rgb \"#606060\"\n";
+  }
+  script += "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\"\n"
+            "set key top left Left reverse width 1\nplot ";
+  for (const auto& curve : curves) {
+    script += filtered(file, curve.label, "T", "Z_over_L") + " with lines " +
+              line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) + " title " +
+              plot_string(curve.label) + ", \\\n     ";
+  }
+  script += "1/0 notitle\n";
+  if (study.published.empty()) return script;
+  // A second plot over the first one, for its own legend at the other corner.
+  script += "unset arrow 1\nunset label 1\nunset ylabel\nset format y \"\"\nunset grid\n"
+            "set key bottom right Left reverse width -2\nplot ";
+  for (std::size_t i = 0; i < study.published.size(); ++i) {
+    const LineStyle style = published_style(i);
+    const std::string label = series_label(study.published[i], shifts[i]);
+    const bool bars = study.published[i].position_uncertainty.value() > 0.0;
+    script += filtered(file, label, "T", "Z_over_L") +
+              (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
+              point_spec(style, 0.45) + " title " + plot_string(label) +
+              (i + 1 < study.published.size() ? ", \\\n     " : "\n");
+  }
+  return script + "set format y \"%g\"\nset grid\n";
+}
+
+std::string lower_panel(const std::string& file, const StudyResult& study,
+                        const std::vector<Curve>& curves) {
+  std::string script = window_mark(study, "graph 0", "graph 1");
+  script += "set format x \"%g\"\nset yrange [*<-0.05:0.05<*]\nset ytics auto\nset key off\n"
+            "set xlabel \"{/:Italic T = t} √(2{/:Italic g/L})\"\n"
+            "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\"\nplot 0 " +
+            line_spec(reference_style(), 1.0);
+  for (const auto& curve : curves) {
+    if (curve.run == &study.reference()) continue;
+    script += ", \\\n     " + filtered(file, curve.label, "T", "dZ_over_L") + " with lines " +
+              line_spec(curve.style, 1.3);
+  }
+  return script + "\n";
+}
+
+Figure make(const StudyResult& study, const std::string& name, bool shifted) {
+  const auto curves = curves_of(study);
+  const auto shifts = shifts_of(study, shifted);
+  Figure figure;
+  figure.name = name;
+  figure.height_mm = 110.0;
+  figure.tables.push_back(front_table(name, study, curves, shifts));
+  figure.tables.push_back(difference_table(name + "_difference", study, curves));
+  figure.script = "set multiplot\nset lmargin at screen 0.125\nset rmargin at screen 0.97\n"
+                  "set tmargin at screen 0.985\nset bmargin at screen 0.36\n" +
+                  upper_panel(name, study, curves, shifts) +
+                  "set tmargin at screen 0.335\nset bmargin at screen 0.095\n" +
+                  lower_panel(name + "_difference", study, curves) + "unset multiplot\n";
+  return figure;
+}
+
+}  // namespace
+
+Figure leading_edge_figure(const StudyResult& study) {
+  Figure figure = make(study, "fig8", false);
+  figure.title = "Fig. 8. Motion of the leading edge";
+  figure.caption =
+      "Leading edge Z/L over T. Lines: computed; markers: published series as printed, with the "
+      "uncertainty of the experiments as bars. Below: difference to the reference " +
+      study.reference().label() + ", inside the window that both runs share before the far wall.";
+  return figure;
+}
+
+Figure shifted_leading_edge_figure(const StudyResult& study) {
+  Figure figure = make(study, "fig8_shifted", true);
+  figure.title = "Fig. 8, with the published series shifted in time";
+  figure.caption =
+      "As before, but each published series is moved by one constant time, stated in the legend, "
+      "that fits it best to the reference " +
+      study.reference().label() +
+      ". The gate of the experiments takes time to leave; a computation has none.";
+  return figure;
+}
+
+}  // namespace surge::compare

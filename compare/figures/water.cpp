@@ -1,0 +1,188 @@
+#include "compare/figures/water.hpp"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+
+namespace {
+
+/// Cells with less water than this are not drawn: they would only tint the air.
+constexpr double visible_fraction = 0.01;
+
+/// From metres and pascals to the units of the picture.
+struct View {
+  double x_origin, floor, length, pressure_scale;
+  std::size_t up, depth;
+  double middle;  ///< of the tank along the depth, m
+  bool three_dimensional;
+
+  explicit View(const Run& run)
+      : x_origin(run.physics.column.lower[0]),
+        floor(run.physics.floor()),
+        length(run.physics.column_width().value()),
+        up(static_cast<std::size_t>(run.physics.vertical_axis())),
+        depth(3 - up),
+        three_dimensional(run.physics.dimension == 3) {
+    const double height = run.physics.column.upper[up] - run.physics.column.lower[up];
+    // A source that does not state its density is water.
+    pressure_scale = run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
+    const Extent& box = run.physics.tank ? *run.physics.tank : run.physics.column;
+    middle = 0.5 * (box.lower[depth] + box.upper[depth]);
+  }
+  [[nodiscard]] double x(double metres) const { return (metres - x_origin) / length; }
+  [[nodiscard]] double y(double metres) const { return (metres - floor) / length; }
+};
+
+WaterPicture particle_picture(const ParticleFrame& frame, const Run& run) {
+  if (frame.pressure.size() != frame.position.size()) {
+    throw Error(run.path.string() + ": no pressure per particle, expected one to colour the figure");
+  }
+  const View view(run);
+  const double half = 0.5 * run.spacing.value();
+  WaterPicture picture;
+  for (std::size_t i = 0; i < frame.position.size(); ++i) {
+    const Vec3& r = frame.position[i];
+    if (view.three_dimensional && std::abs(r[view.depth] - view.middle) > half) continue;
+    picture.patches.push_back({view.x(r[0]), view.y(r[view.up]), half / view.length,
+                               half / view.length, frame.pressure[i] / view.pressure_scale, 1.0});
+  }
+  return picture;
+}
+
+/// Values at the corners of boxes: means over the boxes that share the corner.
+class CornerMeans {
+ public:
+  void add(double x, double y, double value) {
+    auto& [sum, count] = sums_[key(x, y)];
+    sum += value;
+    ++count;
+  }
+  [[nodiscard]] double at(double x, double y) const {
+    const auto& [sum, count] = sums_.at(key(x, y));
+    return sum / count;
+  }
+
+ private:
+  /// Corners closer than 1e-6 L are one: processors of a decomposed case hold their own copies.
+  static std::pair<long, long> key(double x, double y) {
+    return {std::lround(1e6 * x), std::lround(1e6 * y)};
+  }
+  std::map<std::pair<long, long>, std::pair<double, int>> sums_;
+};
+
+/// The line alpha = 0.5 in one box, linear along its edges (marching squares).
+void add_surface(const WaterPatch& box, const CornerMeans& corners, std::vector<Segment>& surface) {
+  const std::array<double, 4> x{box.x - box.half_x, box.x + box.half_x, box.x + box.half_x,
+                                box.x - box.half_x};
+  const std::array<double, 4> y{box.y - box.half_y, box.y - box.half_y, box.y + box.half_y,
+                                box.y + box.half_y};
+  std::array<double, 4> value{};
+  for (std::size_t i = 0; i < 4; ++i) value[i] = corners.at(x[i], y[i]) - 0.5;
+  std::vector<std::pair<double, double>> crossings;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4;
+    if ((value[i] >= 0.0) == (value[j] >= 0.0)) continue;
+    const double s = value[i] / (value[i] - value[j]);
+    crossings.emplace_back(x[i] + s * (x[j] - x[i]), y[i] + s * (y[j] - y[i]));
+  }
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    surface.push_back({crossings[i].first, crossings[i].second, crossings[i + 1].first,
+                       crossings[i + 1].second});
+  }
+}
+
+WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
+  vtkDataArray* pressure = frame.grid->GetCellData()->GetArray("p");
+  if (pressure == nullptr) {
+    throw Error(run.path.string() + ": no cell array p, expected one to colour the figure");
+  }
+  const View view(run);
+  WaterPicture picture;
+  picture.mesh = true;
+  std::vector<WaterPatch> boxes;
+  CornerMeans corners;
+  for (vtkIdType cell = 0; cell < frame.grid->GetNumberOfCells(); ++cell) {
+    std::array<double, 6> b{};
+    frame.grid->GetCellBounds(cell, b.data());
+    const auto low = [&](std::size_t axis) { return b[2 * axis]; };
+    const auto high = [&](std::size_t axis) { return b[2 * axis + 1]; };
+    if (view.three_dimensional &&
+        (view.middle < low(view.depth) || view.middle >= high(view.depth))) {
+      continue;
+    }
+    WaterPatch box{view.x(0.5 * (low(0) + high(0))),
+                   view.y(0.5 * (low(view.up) + high(view.up))),
+                   0.5 * (high(0) - low(0)) / view.length,
+                   0.5 * (high(view.up) - low(view.up)) / view.length,
+                   pressure->GetComponent(cell, 0) / view.pressure_scale,
+                   frame.alpha[static_cast<std::size_t>(cell)]};
+    for (double sx : {-1.0, 1.0}) {
+      for (double sy : {-1.0, 1.0}) {
+        corners.add(box.x + sx * box.half_x, box.y + sy * box.half_y, box.fraction);
+      }
+    }
+    boxes.push_back(box);
+  }
+  for (const auto& box : boxes) {
+    add_surface(box, corners, picture.surface);
+    if (box.fraction >= visible_fraction) picture.patches.push_back(box);
+  }
+  return picture;
+}
+
+double volume(const WaterPatch& patch) { return patch.fraction * patch.half_x * patch.half_y; }
+
+}  // namespace
+
+double WaterPicture::part_above(double height) const {
+  double above = 0.0, all = 0.0;
+  for (const auto& patch : patches) {
+    all += volume(patch);
+    if (patch.y > height) above += volume(patch);
+  }
+  return all > 0.0 ? above / all : 0.0;
+}
+
+double WaterPicture::height_of(double part) const {
+  auto sorted = patches;
+  std::sort(sorted.begin(), sorted.end(),
+            [](const WaterPatch& a, const WaterPatch& b) { return a.y < b.y; });
+  const double all = std::accumulate(sorted.begin(), sorted.end(), 0.0,
+                                     [](double sum, const auto& p) { return sum + volume(p); });
+  double below = 0.0;
+  for (const auto& patch : sorted) {
+    below += volume(patch);
+    if (below >= part * all) return patch.y + patch.half_y;
+  }
+  return sorted.empty() ? 0.0 : sorted.back().y + sorted.back().half_y;
+}
+
+void WaterPicture::paint(Image& image) const {
+  for (const auto& patch : patches) {
+    const Colour colour = viridis(patch.pressure);
+    if (mesh) {
+      image.rectangle(patch.x - patch.half_x, patch.x + patch.half_x, patch.y - patch.half_y,
+                      patch.y + patch.half_y, colour, std::clamp(patch.fraction, 0.0, 1.0));
+    } else {
+      image.disc(patch.x, patch.y, patch.half_x, colour);
+    }
+  }
+}
+
+WaterPicture water_picture(const Frame& frame, const Run& run) {
+  if (const auto* particles = std::get_if<ParticleFrame>(&frame)) {
+    return particle_picture(*particles, run);
+  }
+  return mesh_picture(std::get<MeshFrame>(frame), run);
+}
+
+}  // namespace surge::compare

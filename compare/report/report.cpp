@@ -1,0 +1,103 @@
+#include "compare/report/report.hpp"
+
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "compare/figures/figures.hpp"
+#include "compare/report/sections.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw Error(file.string() + ": cannot be written");
+}
+
+std::string navigation() {
+  std::string html = "<nav><ul>";
+  for (const Section& section : report_sections()) {
+    if (section.title.empty()) continue;
+    html += "<li><a href=\"#" + section.id + "\">" + escape(section.title) + "</a></li>";
+  }
+  return html + "</ul></nav>\n";
+}
+
+std::string body_of(const Page& page) {
+  std::string html = "<h1>" + page.values.text("/study/title") + "</h1>\n" + navigation();
+  for (const Section& section : report_sections()) {
+    html += "<section id=\"" + section.id + "\">\n";
+    if (!section.title.empty()) html += "<h2>" + escape(section.title) + "</h2>\n";
+    html += section.write(page) + "</section>\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+json report_metrics(const StudyResult& study) {
+  MetricsOptions options;
+  options.front = study.front_options();
+  json out = metrics(study.measured_runs, study.study.reference, study.published, options);
+  for (const Section& section : report_sections()) section.measure(study, out);
+  return out;
+}
+
+json write_report(const StudyResult& study, const fs::path& out) {
+  const json numbers = report_metrics(study);
+  const fs::path folder = out / "figures";
+  fs::create_directories(folder);
+  std::vector<Figure> figures;
+  for (const auto& definition : all_figures()) {
+    figures.push_back(definition.make(study));
+    draw(figures.back(), folder);
+  }
+  const Page page{study, Values(numbers), figures, folder};
+  write_text(out / "metrics.json", numbers.dump(1) + "\n");
+  write_text(out / "index.html", html_page(study.study.title, body_of(page)));
+  return numbers;
+}
+
+std::string summary_table(const StudyResult& study, const json& metrics) {
+  const std::string against = metrics["summary"]["against"];
+  std::ostringstream out;
+  const auto cell = [&](const json& entry, const std::string& name, int width, int decimals) {
+    const bool there = entry.contains(name) && entry[name].is_number();
+    out << std::setw(width) << (there ? fixed_text(entry[name].get<double>(), decimals) : "-");
+  };
+  std::size_t longest = 3;
+  for (const auto& run : study.runs) longest = std::max(longest, run.study.name.size());
+  const int width = static_cast<int>(longest) + 2;
+  out << std::left << std::setw(width) << "run" << std::setw(11) << "status" << std::right
+      << std::setw(9) << "RMS Z/L" << std::setw(9) << "max Z/L" << std::setw(9) << "bias"
+      << std::setw(11) << "impact s" << std::setw(9) << "steps" << std::setw(9) << "wall s" << '\n';
+  for (const auto& run : study.runs) {
+    const std::string& name = run.study.name;
+    const json none = json::object();
+    const json& front = metrics["front"].contains(name) ? metrics["front"][name] : none;
+    const json& timing = metrics["timing"].contains(name) ? metrics["timing"][name] : none;
+    out << std::left << std::setw(width) << name << std::setw(11) << status_text(run.status)
+        << std::right;
+    cell(front, "rms_vs_" + against, 9, 4);
+    cell(front, "max_vs_" + against, 9, 4);
+    cell(front, "bias_vs_" + against, 9, 4);
+    cell(front, "impact_time_s", 11, 4);
+    cell(timing, "steps", 9, 0);
+    cell(timing, "wall_s", 9, 1);
+    out << '\n';
+  }
+  for (const auto& run : study.runs) {
+    if (!run.note.empty()) out << run.study.name << ": " << run.note << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace surge::compare

@@ -1,0 +1,49 @@
+#include "compare/report/sections.hpp"
+
+#include <array>
+
+namespace surge::compare {
+
+std::span<const Section> report_sections() {
+  static const std::array<Section, 6> sections{
+      {{"summary", "", measure_summary, write_summary},
+       {"figures", "Figures", measure_nothing, write_figures},
+       {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
+       {"experiments", "Published series", measure_nothing, write_experiments},
+       {"deviations", "Where the runs depart from the paper", measure_deviations, write_deviations},
+       {"provenance", "Provenance", measure_provenance, write_provenance}}};
+  return sections;
+}
+
+void measure_nothing(const StudyResult&, nlohmann::json&) {}
+
+std::string figure_html(const Page& page, const std::string& name) {
+  for (const Figure& figure : page.figures) {
+    if (figure.name != name) continue;
+    const bool wide = figure.width_mm > single_column_mm;
+    std::string html = "<figure id=\"" + name + "\" class=\"" + (wide ? "double" : "single") +
+                       "\">\n<div class=\"scroll\">" +
+                       inline_svg(page.figure_folder / (name + ".svg"), name, figure.title) +
+                       "</div>\n<figcaption><strong>" + escape(figure.title) + ".</strong> " +
+                       escape(figure.caption) + " Files:";
+    for (const char* ending : {"svg", "pdf", "gp"}) {
+      html += " <a href=\"figures/" + name + '.' + ending + "\">" + ending + "</a>";
+    }
+    for (const auto& table : figure.tables) {
+      html += " <a href=\"figures/" + table.name + ".csv\">" + table.name + ".csv</a>";
+    }
+    return html + "</figcaption>\n</figure>\n";
+  }
+  return "";
+}
+
+std::string write_figures(const Page& page) {
+  std::string html;
+  for (const Figure& figure : page.figures) {
+    // The summary shows Fig. 8 already.
+    if (figure.name != "fig8") html += figure_html(page, figure.name);
+  }
+  return html;
+}
+
+}  // namespace surge::compare

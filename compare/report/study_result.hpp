@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/metrics.hpp"
+#include "compare/series.hpp"
+#include "compare/study.hpp"
+
+namespace surge::compare {
+
+enum class RunStatus {
+  complete,    ///< the manifest says finished
+  unfinished,  ///< stopped early: measured as far as it goes, and marked wherever it is shown
+  unusable,    ///< there, but it cannot be measured or compared; `note` says why
+  missing      ///< no such folder
+};
+[[nodiscard]] std::string status_text(RunStatus status);
+
+/// One run that the study asks for, whether it exists or not.
+struct RunResult {
+  StudyRun study;
+  RunStatus status = RunStatus::missing;
+  std::string note;  ///< why it is not complete, or what is wrong with its front
+  const MeasuredRun* measured = nullptr;  ///< of complete and unfinished runs, in StudyResult
+
+  /// "MPS paper, l0 = 5 mm", "VOF, 20 cells per L"; the run's name where nothing is known of it.
+  [[nodiscard]] std::string label() const;
+  /// Time of the last measured front; empty where there is none.
+  [[nodiscard]] std::optional<Seconds> last_time() const;
+};
+
+/// Everything that figures and report sections are made from.
+struct StudyResult {
+  Study study;
+  std::vector<RunResult> runs;              ///< in the study's order, none left out
+  std::vector<MeasuredRun> measured_runs;   ///< those that could be; the reference is the first
+  std::vector<PublishedSeries> published;
+
+  [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
+  [[nodiscard]] const RunResult& reference() const;
+  [[nodiscard]] const MeasuredRun& reference_run() const { return *reference().measured; }
+  /// Runs that have a front, in the study's order.
+  [[nodiscard]] std::vector<const RunResult*> measured() const;
+  [[nodiscard]] WallRule wall() const;
+};
+
+/// Finds each run's status, and the fronts of those that can be compared with the reference.
+/// Published series are read from `series_folder`. Throws Error where the reference cannot be
+/// measured; any other run's failure becomes its status.
+[[nodiscard]] StudyResult collect(const Study& study, const std::filesystem::path& runs,
+                                  const std::filesystem::path& series_folder);
+
+}  // namespace surge::compare
