@@ -1,3 +1,4 @@
+#include <vtkLogger.h>
 #include <vtkStringOutputWindow.h>
 
 #include "compare/readers.hpp"
@@ -9,6 +10,8 @@ VtkErrors::VtkErrors()
     : window_(vtkSmartPointer<vtkStringOutputWindow>::New()),
       previous_(vtkOutputWindow::GetInstance()) {
   vtkOutputWindow::SetInstance(window_);
+  // VTK logs to stderr besides; its errors become ours, so that they are printed once.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 VtkErrors::~VtkErrors() {

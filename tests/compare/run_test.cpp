@@ -24,7 +24,7 @@ double surge(double t) {
 TEST(ParticleRun, IsReadWithItsCaseAndFields) {
   const TemporaryFolder folder;
   write_run(folder / "mps-paper-0.005", {0.0, 0.05, 0.1}, surge);
-  Run run = open_run((folder / "mps-paper-0.005").string() + "/");
+  auto run = open_run((folder / "mps-paper-0.005").string() + "/");
   EXPECT_EQ(run.name, "mps-paper-0.005");
   EXPECT_EQ(run.kind, SourceKind::particle_run);
   EXPECT_EQ(run.method, "mps");
@@ -48,7 +48,7 @@ TEST(ParticleRun, IsReadWithItsCaseAndFields) {
 TEST(ParticleRun, WallsAreNotWater) {
   const TemporaryFolder folder;
   write_run(folder / "run", {0.0, 0.1}, surge);
-  Run run = open_run(folder / "run");
+  auto run = open_run(folder / "run");
   FrontOptions raw;
   raw.raw_maximum = true;
   EXPECT_NEAR(measure_front(run, raw)[0].position.value(), 0.145,
@@ -70,7 +70,7 @@ TEST(ParticleRun, FrontEndsWhereTheMainBodyLeavesTheFloor) {
   const TemporaryFolder folder;
   write_run(folder / "run", {0.0, 0.1, 0.2}, surge);
   write_vtp(folder / "run/frames/particles_1.vtp", lattice({0, 0.5, 0}, {0.1, 0.6, 0}, 0.005), {});
-  Run run = open_run(folder / "run");
+  auto run = open_run(folder / "run");
   EXPECT_EQ(measure_front(run, {}).size(), 1U);
 }
 
@@ -81,7 +81,7 @@ TEST(ParticleRun, BrokenFilesAreNamed) {
     write_run(folder / "run", {0.0, 0.1}, surge);
     damage();
     return error_of([&] {
-      Run run = open_run(folder / "run");
+      auto run = open_run(folder / "run");
       (void)measure_front(run, {});
     });
   };
@@ -150,7 +150,7 @@ TEST(ForeignParticles, AreReadByPatternWithTheirOwnNames) {
   options.fluid_type = 7;
   options.tank_width = Metres(0.58);
   options.column_width = Metres(0.145);
-  Run run = open_run(folder / "fluid_*.vtp", options);
+  auto run = open_run(folder / "fluid_*.vtp", options);
   EXPECT_EQ(run.kind, SourceKind::particle_series);
   EXPECT_EQ(run.physics.dimension, 2);
   EXPECT_NEAR(run.physics.far_wall().value().value(), 0.58, 1e-12);
@@ -169,7 +169,7 @@ TEST(ForeignParticles, ColumnIsTakenFromTheFirstFrame) {
   const TemporaryFolder folder;
   write_vtp(folder / "p0.vtp", lattice({1.0, -0.5, 0}, {1.2, -0.1, 0}, 0.005), {}, "x", 0.0);
   write_vtp(folder / "p1.vtp", lattice({1.0, -0.5, 0}, {1.3, -0.2, 0}, 0.005), {}, "x", 0.1);
-  Run run = open_run(folder.path(), foreign());
+  auto run = open_run(folder.path(), foreign());
   EXPECT_NEAR(run.physics.column_width().value(), 0.2, 1e-12);
   EXPECT_NEAR(run.physics.floor(), -0.5, 1e-12);
   EXPECT_NEAR(measure_front(run, {})[1].position.value(), 0.3, 1e-12);
@@ -194,7 +194,7 @@ TEST(ForeignParticles, LegacyFilesAreRead) {
               HasSubstr("--time-step"));
   SourceOptions options = foreign();
   options.time_step = Seconds(0.1);
-  Run run = open_run(folder.path(), options);
+  auto run = open_run(folder.path(), options);
   EXPECT_NEAR(measure_front(run, {})[1].position.value(), 0.15, 1e-7);
 }
 
