@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include "particle/support/error.hpp"
 #include "tests/io/case_fixture.hpp"
 
 namespace surge {
