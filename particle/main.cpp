@@ -121,7 +121,7 @@ int run_program(int argc, char** argv) {
       ->required()
       ->type_name("DIR");
   run_command
-      ->add_option("--threads", arguments.run.threads, "number of threads; all cores by default")
+      ->add_option("--threads", arguments.run.threads, "number of threads; 1 by default")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   CLI::App* check_command =

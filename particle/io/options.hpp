@@ -81,6 +81,8 @@ void visit_options(P& p, Visitor&& option) {
          "approaching particles nearer than this collide, in l0");
   option("collision_restitution", p.collision_restitution, Bounds::closed(0.0, 1.0),
          "relative normal speed after a collision over that before");
+  option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),
+         "no particle comes nearer to a wall, in l0");
 }
 
 /// Calls `option(name, member, bounds, description)` for each option of the SPH method.

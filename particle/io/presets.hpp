@@ -14,7 +14,7 @@ struct PresetFile {
   std::string_view text;
 };
 
-/// All presets in alphabetical order. Defined in a source that the build generates.
+/// All presets in the order of their file names. Defined in a source that the build generates.
 [[nodiscard]] std::span<const PresetFile> preset_files();
 
 /// Sets the options of a preset and of those that it extends. Throws Error for an unknown name,

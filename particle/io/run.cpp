@@ -42,8 +42,8 @@ class Run {
  public:
   Run(const Case& c, const RunOptions& options, std::ostream& out)
       : case_(c), folder_(options.folder), terminal_(options.terminal), out_(out) {
-    if (options.threads > 0) omp_set_num_threads(options.threads);
-    record_.threads = omp_get_max_threads();
+    omp_set_num_threads(options.threads);
+    record_.threads = options.threads;
     record_.started = utc_now();
     claim_run_folder(folder_, manifest_text(record_, case_));
     write_file(folder_ / "case.toml", to_toml(case_));

@@ -10,7 +10,7 @@ namespace surge {
 
 struct RunOptions {
   std::filesystem::path folder;  ///< of the run; made, or taken over from an older run
-  int threads = 0;               ///< 0: as many as OpenMP offers
+  int threads = 1;
   bool terminal = false;         ///< whether `out` redraws lines
 };
 

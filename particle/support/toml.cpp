@@ -24,15 +24,21 @@ std::string list_text(const auto& names) {
   return text;
 }
 
-/// Number of single-letter edits between two words (Levenshtein's distance).
+/// Number of edits between two words: a letter put in, left out or replaced, or two neighbouring
+/// letters exchanged (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
+  std::vector<std::size_t> before = row;
+  std::vector<std::size_t> two_before = row;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i);
+    two_before = std::exchange(before, row);
+    row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, replaced}));
+      const std::size_t replaced = before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({before[j] + 1, row[j - 1] + 1, replaced});
+      const bool exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (exchanged) row[j] = std::min(row[j], two_before[j - 2] + 1);
     }
   }
   return row.back();
@@ -41,7 +47,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 /// The candidate that `word` is most likely a misspelling of; empty where none is near.
 std::string nearest(std::string_view word, const auto& candidates) {
   std::string best;
-  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < least && distance < std::max(word.size(), candidate.size())) {

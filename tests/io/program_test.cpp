@@ -1,0 +1,161 @@
+// Runs the program surge-particle as a user does.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "particle/io/case_json.hpp"
+#include "tests/io/case_fixture.hpp"
+
+namespace surge {
+namespace {
+
+struct Result {
+  int status = -1;
+  std::string output;  ///< of stdout and stderr, or as the command directs
+};
+
+Result shell(const std::string& command) {
+  Result result;
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return result;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    result.output.append(buffer.data(), n);
+  }
+  const int status = ::pclose(pipe);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+class Program : public testing::Test {
+ protected:
+  Program() { std::ofstream(case_) << test::small_case; }
+
+  [[nodiscard]] Result run(const std::string& arguments) const {
+    return shell("cd '" + folder_.path().string() + "' && " SURGE_BIN_DIR "/surge-particle " +
+                 arguments);
+  }
+  [[nodiscard]] nlohmann::json manifest(const std::string& run) const {
+    return nlohmann::json::parse(test::read_text(folder_.path() / run / "manifest.json"));
+  }
+  /// Expects exit status 1 and one line on stderr that contains `text`, and nothing on stdout.
+  void expect_error(const std::string& arguments, const std::string& text) const {
+    const Result result = run(arguments + " 2>&1");
+    EXPECT_EQ(result.status, 1) << arguments;
+    EXPECT_THAT(result.output, testing::HasSubstr(text));
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+  }
+
+  test::TemporaryFolder folder_{"program"};
+  std::filesystem::path case_ = folder_.path() / "case.toml";
+};
+
+TEST_F(Program, TellsHelpAndVersion) {
+  EXPECT_THAT(run("--help").output,
+              testing::AllOf(testing::HasSubstr("run"), testing::HasSubstr("check")));
+  const Result version = run("--version");
+  EXPECT_EQ(version.status, 0);
+  EXPECT_THAT(version.output, testing::StartsWith("surge-particle 0."));
+  EXPECT_THAT(version.output, testing::HasSubstr("commit "));
+}
+
+TEST_F(Program, ListsPresetsAndOptions) {
+  EXPECT_THAT(run("list").output, testing::AllOf(testing::HasSubstr("mps-paper"),
+                                                 testing::HasSubstr("sph-paper-bare")));
+  EXPECT_THAT(
+      run("list --options").output,
+      testing::AllOf(testing::HasSubstr("beta = 0.97"), testing::HasSubstr("xsph_epsilon = 0.5")));
+}
+
+TEST_F(Program, ChecksACaseWithoutRunningIt) {
+  const Result result = run("check case.toml");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, testing::HasSubstr("32 fluid"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
+}
+
+TEST_F(Program, WritesARunFolder) {
+  for (const std::string method : {"mps", "sph"}) {
+    const Result result =
+        run("run case.toml --out " + method + " --threads 1 --set method.name=" + method);
+    ASSERT_EQ(result.status, 0) << result.output;
+    const nlohmann::json j = manifest(method);
+    EXPECT_EQ(j["program"], "surge-particle");
+    EXPECT_EQ(j["finished"], true);
+    EXPECT_EQ(j["threads"], 1);
+    EXPECT_EQ(j["fluid_particles"], 32);
+    EXPECT_GT(j["wall_particles"], 0);
+    EXPECT_NEAR(j["simulated_s"], 0.02, 1e-12);
+    EXPECT_EQ(j["frames"], 5);
+    EXPECT_EQ(j["nonfinite"], 0);
+    EXPECT_GT(j["wall_s"]["total"], 0.0);
+    for (const char* phase : {"setup", "neighbours", "pressure", "forces", "output"}) {
+      EXPECT_TRUE(j["wall_s"].contains(phase)) << phase;
+    }
+    // The manifest's case is the one that was asked for, and case.toml says the same.
+    EXPECT_EQ(j["case"], to_json(test::make_case({"method.name=" + method})));
+    EXPECT_EQ(j["case"], to_json(read_case(folder_.path() / method / "case.toml")));
+    const std::string steps = test::read_text(folder_.path() / method / "steps.csv");
+    EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), j["steps"].get<long>() + 1);
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / method / "frames/frame_00004.vtp"));
+    EXPECT_TRUE(std::filesystem::exists(folder_.path() / method / "particles.pvd"));
+  }
+}
+
+TEST_F(Program, ReplacesAnOlderRunAndNothingElse) {
+  ASSERT_EQ(run("run case.toml --out r --set output.interval=0.002").status, 0);
+  std::ofstream(folder_.path() / "r/notes.txt") << "mine";
+  ASSERT_EQ(run("run case.toml --out r").status, 0);
+  EXPECT_EQ(manifest("r")["frames"], 5);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r/frames/frame_00005.vtp"));
+  EXPECT_EQ(test::read_text(folder_.path() / "r/notes.txt"), "mine");
+}
+
+TEST_F(Program, RefusesFoldersThatAreNotRuns) {
+  std::filesystem::create_directory(folder_.path() / "thesis");
+  std::ofstream(folder_.path() / "thesis/chapter.tex") << "text";
+  expect_error("run case.toml --out thesis", "thesis: found \"chapter.tex\" and no run");
+  EXPECT_EQ(test::read_text(folder_.path() / "thesis/chapter.tex"), "text");
+  std::ofstream(folder_.path() / "thesis/manifest.json") << R"({"program": "interFoam"})";
+  expect_error("run case.toml --out thesis", "and no run of surge-particle");
+  expect_error("run case.toml --out case.toml", "case.toml: found ");
+}
+
+TEST_F(Program, BadInputGetsOneLine) {
+  expect_error("", "subcommand");
+  expect_error("rn case.toml", "surge-particle: ");
+  expect_error("run case.toml", "--out");
+  expect_error("run nowhere.toml --out r", "nowhere.toml: found no readable file");
+  expect_error("run case.toml --out r --threads 0", "--threads");
+  expect_error("check case.toml --set time.end=-1", "--set time.end=-1: found -1");
+  expect_error("check case.toml --set", "--set");
+  expect_error("run case.toml --out r --set resolution.spacing=0.011", "case.toml:9: tank.upper");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r"));
+}
+
+TEST_F(Program, InterruptedRunSaysSoAndOpens) {
+  // Long enough that the signal comes while it runs; `exec` so that the signal reaches the program.
+  const Result result =
+      shell("cd '" + folder_.path().string() +
+            "' && sh -c 'exec " SURGE_BIN_DIR
+            "/surge-particle run case.toml --out r --set time.end=1000' > log & pid=$!; "
+            "until grep -qs frame_00001 '" +
+            folder_.path().string() +
+            "/r/particles.pvd'; do sleep 0.05; done; kill -INT $pid; wait $pid");
+  // Background commands of a shell without job control ignore SIGINT unless the program asks for
+  // it.
+  EXPECT_EQ(result.status, 130);
+  const nlohmann::json j = manifest("r");
+  EXPECT_EQ(j["finished"], false);
+  EXPECT_EQ(j["stopped"], "interrupted");
+  EXPECT_GT(j["steps"], 0);
+  EXPECT_THAT(test::read_text(folder_.path() / "r/particles.pvd"),
+              testing::HasSubstr("</VTKFile>"));
+}
+
+}  // namespace
+}  // namespace surge
