@@ -11,7 +11,8 @@ enum class Lambda {
 
 enum class PpeSolver {
   iccg,    ///< conjugate gradients with incomplete Cholesky (Eigen), the paper's
-  cholmod  ///< supernodal sparse Cholesky (SuiteSparse)
+  cholmod,   ///< supernodal sparse Cholesky (SuiteSparse)
+  multigrid  ///< conjugate gradients with a multigrid on a background grid
 };
 
 enum class NegativePressure { keep, clip };

@@ -22,8 +22,9 @@ struct PoissonSystem {
   Field rhs;
 
   int dimension = 2;
-  double spacing = 1.0;    ///< l0, m: the scale of the coordinates
-  std::array<Field, 3> x;  ///< m, where the unknowns are; the first `dimension` are used
+  double spacing = 1.0;            ///< l0, m
+  std::array<Field, 3> x;          ///< m, where the unknowns are; the first `dimension` are used
+  std::array<double, 3> period{};  ///< m, length of the periodic axes, zero for the others
 
   [[nodiscard]] std::size_t size() const { return diagonal.size(); }
 };

@@ -6,6 +6,7 @@
 
 #include "particle/mps/linear/closed_regions.hpp"
 #include "particle/mps/linear/direct.hpp"
+#include "particle/mps/linear/grid_pcg.hpp"
 #include "particle/mps/linear/iccg.hpp"
 #include "particle/mps/linear/timer.hpp"
 #include "particle/support/error.hpp"
@@ -14,7 +15,7 @@ namespace surge::mps {
 
 namespace {
 
-using Method = std::variant<Iccg, SparseCholesky>;
+using Method = std::variant<Iccg, SparseCholesky, GridPcg>;
 
 Method make_method(PpeSolver solver) {
   switch (solver) {
@@ -22,6 +23,8 @@ Method make_method(PpeSolver solver) {
       return Method(std::in_place_type<Iccg>);
     case PpeSolver::cholmod:
       return Method(std::in_place_type<SparseCholesky>);
+    case PpeSolver::multigrid:
+      return Method(std::in_place_type<GridPcg>);
   }
   throw Error("method.ppe_solver: unknown solver");
 }
@@ -38,6 +41,11 @@ SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, c
   Timer solve(report.solve_s);
   method.solve(system.rhs, p);
   return report;
+}
+
+SolveReport run(GridPcg& method, const PoissonSystem& system, Field& p, const Params& params) {
+  return method.solve(system, p, params.re_laplacian * system.spacing, params.ppe_tolerance,
+                      params.ppe_max_iterations);
 }
 
 void check(const PoissonSystem& system) {

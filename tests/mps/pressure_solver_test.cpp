@@ -219,10 +219,20 @@ TEST_P(EverySolver, RefusesEquationsThatAreNotFinite) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<PpeSolver>& solver) {
-  return solver.param == PpeSolver::iccg ? "iccg" : "cholmod";
+  switch (solver.param) {
+    case PpeSolver::iccg:
+      return "iccg";
+    case PpeSolver::cholmod:
+      return "cholmod";
+    case PpeSolver::multigrid:
+      return "multigrid";
+  }
+  return "unknown";
 }
 
-INSTANTIATE_TEST_SUITE_P(Ppe, EverySolver, ::testing::Values(PpeSolver::iccg, PpeSolver::cholmod),
+INSTANTIATE_TEST_SUITE_P(Ppe, EverySolver,
+                         ::testing::Values(PpeSolver::iccg, PpeSolver::cholmod,
+                                           PpeSolver::multigrid),
                          name_of);
 
 TEST(PressureSolver, SaysWhenIterationsRunOut) {
