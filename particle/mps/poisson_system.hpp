@@ -32,6 +32,10 @@ struct PoissonSystem {
 /// y = A x.
 void multiply(const PoissonSystem& system, const Field& x, Field& y);
 
+/// What the diagonal holds beyond the row's own couplings, diagonal - sum |value|: the coupling to
+/// particles with p = 0. Zero to rounding (and never below) where there are none.
+void compute_excess(const PoissonSystem& system, Field& excess);
+
 /// ||b - A p|| / ||b|| in the Euclidean norm; ||A p|| where b = 0.
 double relative_residual(const PoissonSystem& system, const Field& p);
 

@@ -29,11 +29,13 @@ Method make_method(PpeSolver solver) {
   throw Error("method.ppe_solver: unknown solver");
 }
 
-SolveReport run(Iccg& method, const PoissonSystem& system, Field& p, const Params& params) {
+SolveReport run(Iccg& method, const PoissonSystem& system, const Field&, Field& p,
+                const Params& params) {
   return method.solve(system, p, params.ppe_tolerance, params.ppe_max_iterations);
 }
 
-SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, const Params&) {
+SolveReport run(SparseCholesky& method, const PoissonSystem& system, const Field&, Field& p,
+                const Params&) {
   SolveReport report;
   Timer setup(report.setup_s);
   method.factorise(system);
@@ -43,8 +45,9 @@ SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, c
   return report;
 }
 
-SolveReport run(GridPcg& method, const PoissonSystem& system, Field& p, const Params& params) {
-  return method.solve(system, p, params.re_laplacian * system.spacing, params.ppe_tolerance,
+SolveReport run(GridPcg& method, const PoissonSystem& system, const Field& excess, Field& p,
+                const Params& params) {
+  return method.solve(system, excess, p, params.re_laplacian * system.spacing, params.ppe_tolerance,
                       params.ppe_max_iterations);
 }
 
@@ -70,6 +73,7 @@ struct PressureSolver::State {
 
   Params params;
   Method method;
+  Field excess;
   ClosedRegions closed;
   PoissonSystem anchored;  // a copy, made only where there are closed regions
 };
@@ -96,11 +100,12 @@ SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
   SolveReport report;
   double preparation_s = 0.0;
   Timer preparation(preparation_s);
-  const std::vector<Region>& closed = state_->closed.find(system);
+  compute_excess(system, state_->excess);
+  const std::vector<Region>& closed = state_->closed.find(system, state_->excess);
   const PoissonSystem* solvable = &system;
   if (!closed.empty()) {
     state_->anchored = system;
-    anchor(closed, state_->anchored, p);
+    anchor(closed, state_->anchored, state_->excess, p);
     solvable = &state_->anchored;
   }
   preparation.stop();
@@ -108,8 +113,9 @@ SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
   if (is_zero(solvable->rhs)) {  // relative residuals have no meaning, and p = 0 is exact
     p.assign(system.size(), 0.0);
   } else {
-    report = std::visit([&](auto& method) { return run(method, *solvable, p, state_->params); },
-                        state_->method);
+    report = std::visit(
+        [&](auto& method) { return run(method, *solvable, state_->excess, p, state_->params); },
+        state_->method);
     report.residual = relative_residual(*solvable, p);
     if (!std::isfinite(report.residual)) throw Error("pressure: the solution is not finite");
     // The recursive residual of conjugate gradients and the true one part in the last digits.

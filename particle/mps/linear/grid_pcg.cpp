@@ -25,8 +25,9 @@ double row_product(const PoissonSystem& system, const Field& x, std::size_t i) {
 
 // Each loop does all that can be done while its data are at hand.
 template <class Preconditioner>
-SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& system, Field& p,
-                         double re, double tolerance, int max_iterations) {
+SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& system,
+                         const Field& excess, Field& p, double re, double tolerance,
+                         int max_iterations) {
   SolveReport report;
   const std::size_t n = system.size();
   for (Field* field : {&residual_, &z_, &direction_, &product_}) field->resize(n);
@@ -50,7 +51,7 @@ SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& sy
   if (rr <= limit) return report;
 
   Timer setup(report.setup_s);
-  preconditioner.setup(system, cell_width * re);
+  preconditioner.setup(system, excess, cell_width * re);
   setup.stop();
 
   Timer iterate(report.solve_s);
@@ -92,10 +93,10 @@ SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& sy
   return report;
 }
 
-SolveReport GridPcg::solve(const PoissonSystem& system, Field& p, double re, double tolerance,
-                           int max_iterations) {
-  return system.dimension == 2 ? run(plane_, system, p, re, tolerance, max_iterations)
-                               : run(space_, system, p, re, tolerance, max_iterations);
+SolveReport GridPcg::solve(const PoissonSystem& system, const Field& excess, Field& p, double re,
+                           double tolerance, int max_iterations) {
+  return system.dimension == 2 ? run(plane_, system, excess, p, re, tolerance, max_iterations)
+                               : run(space_, system, excess, p, re, tolerance, max_iterations);
 }
 
 }  // namespace surge::mps

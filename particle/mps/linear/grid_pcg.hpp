@@ -10,14 +10,14 @@ namespace surge::mps {
 /// number of particles, and an iteration costs little more than the product with A.
 class GridPcg {
  public:
-  /// `re`: radius of the neighbourhood, m.
-  SolveReport solve(const PoissonSystem& system, Field& p, double re, double tolerance,
-                    int max_iterations);
+  /// `excess`: compute_excess(system). `re`: radius of the neighbourhood, m.
+  SolveReport solve(const PoissonSystem& system, const Field& excess, Field& p, double re,
+                    double tolerance, int max_iterations);
 
  private:
   template <class Preconditioner>
-  SolveReport run(Preconditioner& preconditioner, const PoissonSystem& system, Field& p, double re,
-                  double tolerance, int max_iterations);
+  SolveReport run(Preconditioner& preconditioner, const PoissonSystem& system, const Field& excess,
+                  Field& p, double re, double tolerance, int max_iterations);
 
   GridPreconditioner<2> plane_;
   GridPreconditioner<3> space_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace surge::mps {
 
@@ -20,56 +19,31 @@ std::int32_t even_cells(double limit) {
   return cells;
 }
 
-template <int D>
-double squared_form(const std::array<double, D*(D + 1) / 2>& tensor, const std::array<double, D>& u,
-                    const std::array<double, D>& v) {
-  double sum = 0.0;
-  std::size_t k = 0;
-  for (std::size_t a = 0; a < D; ++a) {
-    sum += tensor[k++] * u[a] * v[a];
-    for (std::size_t b = a + 1; b < D; ++b) sum += tensor[k++] * (u[a] * v[b] + u[b] * v[a]);
-  }
-  return sum;
-}
-
-/// What a row of A says to the grid.
-template <int D>
-struct RowMoments {
-  std::array<double, D*(D + 1) / 2> tensor{};  // xx xy (xz) yy (yz zz)
-  double excess = 0.0;
-};
-
-template <int D, bool periodic>
-RowMoments<D> row_moments(const PoissonSystem& system, std::size_t i) {
-  RowMoments<D> m;
-  double sum = system.diagonal[i];
-  std::array<double, D*(D + 1) / 2> tensor{};
-  const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
-  for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
-    const auto j = static_cast<std::size_t>(system.column[k]);
-    const double value = system.value[k];
-    std::array<double, D> d;
-    for (std::size_t a = 0; a < D; ++a) {
-      d[a] = system.x[a][j] - system.x[a][i];
-      if constexpr (periodic) {
-        if (system.period[a] > 0.0) d[a] -= system.period[a] * std::round(d[a] / system.period[a]);
+/// kappa, m^2: sum w_ij (x_i - x_j)^2 / (D sum w_ij), from some of the rows.
+double mean_square_component(const PoissonSystem& system) {
+  const std::size_t stride = system.size() / 1000 + 1;
+  double weights = 0.0;
+  double moment = 0.0;
+  for (std::size_t i = 0; i < system.size(); i += stride) {
+    const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
+    for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
+      const auto j = static_cast<std::size_t>(system.column[k]);
+      weights -= system.value[k];
+      for (std::size_t a = 0; a < static_cast<std::size_t>(system.dimension); ++a) {
+        double d = system.x[a][j] - system.x[a][i];
+        if (const double period = system.period[a]; period > 0.0)
+          d -= period * std::round(d / period);
+        moment -= system.value[k] * d * d;
       }
     }
-    std::size_t t = 0;
-    for (std::size_t a = 0; a < D; ++a) {
-      for (std::size_t b = a; b < D; ++b) tensor[t++] -= value * d[a] * d[b];
-    }
-    sum += value;
   }
-  for (std::size_t t = 0; t < tensor.size(); ++t) m.tensor[t] = 0.5 * tensor[t];
-  m.excess = std::max(sum, 0.0);
-  return m;
+  return weights > 0.0 ? moment / (system.dimension * weights) : 0.0;
 }
 
 }  // namespace
 
 template <int D>
-void GridPreconditioner<D>::setup(const PoissonSystem& system, double width) {
+void GridPreconditioner<D>::setup(const PoissonSystem& system, const Field& excess, double width) {
   const auto n = static_cast<std::int32_t>(system.size());
   inverse_diagonal_.resize(system.size());
 #pragma omp parallel for schedule(static)
@@ -80,7 +54,7 @@ void GridPreconditioner<D>::setup(const PoissonSystem& system, double width) {
   lay_grid(system, width);
   sort_into_cells(system);
   connect_nodes();
-  compute_elements(system);
+  compute_elements(system, excess);
   assemble();
   grid_.build();
 }
@@ -200,43 +174,50 @@ std::array<float, GridPreconditioner<D>::corners> GridPreconditioner<D>::shape(
 }
 
 template <int D>
-void GridPreconditioner<D>::compute_elements(const PoissonSystem& system) {
-  const bool periodic = std::any_of(system.period.begin(), system.period.end(),
-                                    [](double period) { return period > 0.0; });
+std::array<std::array<float, D>, GridPreconditioner<D>::corners>
+GridPreconditioner<D>::shape_gradient(std::int32_t particle) const {
+  std::array<std::array<float, D>, corners> gradient;
+  const std::array<float, D>& f = place_[static_cast<std::size_t>(particle)];
+  for (std::size_t q = 0; q < corners; ++q) {
+    for (std::size_t a = 0; a < D; ++a) {
+      const auto slope = static_cast<float>(1.0 / width_[a]);
+      float g = ((q >> a) & 1U) != 0 ? slope : -slope;
+      for (std::size_t b = 0; b < D; ++b) {
+        if (b != a) g *= ((q >> b) & 1U) != 0 ? f[b] : 1.0F - f[b];
+      }
+      gradient[q][a] = g;
+    }
+  }
+  return gradient;
+}
+
+template <int D>
+void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const Field& excess) {
+  const double kappa = mean_square_component(system);
   const auto cells = static_cast<std::int32_t>(cells_.points().size());
   element_.resize(cells_.points().size());
 #pragma omp parallel for schedule(static)
   for (std::int32_t cell = 0; cell < cells; ++cell) {
     const auto at = static_cast<std::size_t>(cell);
-    std::array<double, corners * corners> sum{};
+    std::array<float, corners * corners> sum{};
     for (std::int32_t k = cell_start_[at]; k < cell_start_[at + 1]; ++k) {
       const std::int32_t particle = cell_particle_[static_cast<std::size_t>(k)];
       const auto i = static_cast<std::size_t>(particle);
-      const RowMoments<D> row =
-          periodic ? row_moments<D, true>(system, i) : row_moments<D, false>(system, i);
+      const auto stiffness = static_cast<float>(0.5 * kappa * (system.diagonal[i] - excess[i]));
+      const auto mass = static_cast<float>(excess[i]);
       const std::array<float, corners> phi = shape(particle);
-      std::array<std::array<double, D>, corners> gradient;
-      for (std::size_t q = 0; q < corners; ++q) {
-        for (std::size_t a = 0; a < D; ++a) {
-          double g = ((q >> a) & 1U) != 0 ? 1.0 / width_[a] : -1.0 / width_[a];
-          for (std::size_t b = 0; b < D; ++b) {
-            const auto f = static_cast<double>(place_[i][b]);
-            if (b != a) g *= ((q >> b) & 1U) != 0 ? f : 1.0 - f;
-          }
-          gradient[q][a] = g;
-        }
-      }
+      const auto gradient = shape_gradient(particle);
       for (std::size_t q = 0; q < corners; ++q) {
         for (std::size_t p = q; p < corners; ++p) {
-          sum[q * corners + p] += squared_form<D>(row.tensor, gradient[q], gradient[p]) +
-                                  row.excess * static_cast<double>(phi[q] * phi[p]);
+          float product = 0.0F;
+          for (std::size_t a = 0; a < D; ++a) product += gradient[q][a] * gradient[p][a];
+          sum[q * corners + p] += stiffness * product + mass * phi[q] * phi[p];
         }
       }
     }
     for (std::size_t q = 0; q < corners; ++q) {
       for (std::size_t p = q; p < corners; ++p) {
-        element_[at][q * corners + p] = element_[at][p * corners + q] =
-            static_cast<float>(sum[q * corners + p]);
+        element_[at][q * corners + p] = element_[at][p * corners + q] = sum[q * corners + p];
       }
     }
   }

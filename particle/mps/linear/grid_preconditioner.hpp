@@ -16,16 +16,17 @@ namespace surge::mps {
 /// that the grid does not resolve; no product with A is needed.
 ///
 /// The grid's operator is not P^T A P. A pair of particles contributes w_ij (p_i - p_j)^2 to the
-/// energy of A; with p_i - p_j = (x_i - x_j) . grad p it becomes grad p . T_i . grad p with the
-/// tensor T_i = 1/2 sum_j w_ij (x_i - x_j)(x_i - x_j), one per particle, so that the grid couples
-/// nearest nodes only. Neighbours with p = 0, which are missing in the row, add excess_i p_i^2.
+/// energy of A; with p_i - p_j = (x_i - x_j) . grad p and neighbours on all sides this becomes
+/// 1/2 kappa sum_j w_ij |grad p|^2 at x_i, kappa the mean of one component of (x_i - x_j)^2 under
+/// the weights. So the grid couples nearest nodes only, and needs no pairs: the sum of w_ij is
+/// diagonal - excess. Neighbours with p = 0 add excess_i p_i^2.
 /// Additive Schwarz with a coarse space: B. F. Smith, P. E. Bjorstad & W. D. Gropp, Domain
 /// Decomposition, Cambridge, 1996. The combination is our own.
 template <int D>
 class GridPreconditioner {
  public:
-  /// `width`: of the grid cells, m.
-  void setup(const PoissonSystem& system, double width);
+  /// `excess`: compute_excess(system). `width`: of the grid cells, m.
+  void setup(const PoissonSystem& system, const Field& excess, double width);
   /// z = M^-1 r; returns r . z. Results do not depend on the number of threads.
   double apply(const Field& r, Field& z);
 
@@ -36,10 +37,12 @@ class GridPreconditioner {
   void lay_grid(const PoissonSystem& system, double width);
   void sort_into_cells(const PoissonSystem& system);
   void connect_nodes();
-  void compute_elements(const PoissonSystem& system);
+  void compute_elements(const PoissonSystem& system, const Field& excess);
   void assemble();
   void restrict_to_grid(const Field& r);
   [[nodiscard]] std::array<float, corners> shape(std::int32_t particle) const;
+  [[nodiscard]] std::array<std::array<float, D>, corners> shape_gradient(  // 1/m
+      std::int32_t particle) const;
 
   std::array<double, D> width_{};         // m
   std::array<std::int64_t, D> origin_{};  // lowest cell in use, counted from x = 0
