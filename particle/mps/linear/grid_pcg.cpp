@@ -33,20 +33,33 @@ SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& sy
   for (Field* field : {&residual_, &z_, &direction_, &product_}) field->resize(n);
 
   Timer solve(report.solve_s);
-  const double limit =
-      tolerance * tolerance * block_sum_(n, [&](std::size_t begin, std::size_t end) {
-        double sum = 0.0;
-        for (std::size_t i = begin; i < end; ++i) sum += system.rhs[i] * system.rhs[i];
-        return sum;
-      });
+  double pb = 0.0;
+  double bb = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    pb += p[i] * system.rhs[i];
+    bb += system.rhs[i] * system.rhs[i];
+  }
+  const double pap = block_sum_(n, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      product_[i] = row_product(system, p, i);
+      sum += p[i] * product_[i];
+    }
+    return sum;
+  });
+  // The multiple of the guess that is nearest to the solution in the energy norm: a pressure of the
+  // step before may be far too large where the time step has changed.
+  const double scale = pap > 0.0 ? pb / pap : 0.0;
   double rr = block_sum_(n, [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t i = begin; i < end; ++i) {
-      residual_[i] = system.rhs[i] - row_product(system, p, i);
+      p[i] *= scale;
+      residual_[i] = system.rhs[i] - scale * product_[i];
       sum += residual_[i] * residual_[i];
     }
     return sum;
   });
+  const double limit = tolerance * tolerance * bb;
   solve.stop();
   if (rr <= limit) return report;
 
