@@ -10,8 +10,9 @@ enum class Lambda {
 };
 
 enum class PpeSolver {
-  iccg,    ///< conjugate gradients with incomplete Cholesky (Eigen), the paper's
-  cholmod  ///< supernodal sparse Cholesky (SuiteSparse)
+  iccg,      ///< conjugate gradients with incomplete Cholesky (Eigen), the paper's
+  cholmod,   ///< supernodal sparse Cholesky (SuiteSparse)
+  multigrid  ///< conjugate gradients with a multigrid on a background grid
 };
 
 enum class NegativePressure { keep, clip };
@@ -24,7 +25,7 @@ struct Params {
   double beta = 0.97;               ///< Eq. (14): free surface where n < beta n0
   double source_relaxation = 1.0;   ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;
-  PpeSolver ppe_solver = PpeSolver::iccg;
+  PpeSolver ppe_solver = PpeSolver::multigrid;
   double ppe_tolerance = 1e-6;  ///< relative residual
   int ppe_max_iterations = 2000;
   double collision_distance = 0.5;     ///< particles closer than this and approaching collide

@@ -20,6 +20,23 @@ void multiply(const PoissonSystem& system, const Field& x, Field& y) {
   }
 }
 
+void compute_excess(const PoissonSystem& system, Field& excess) {
+  // Weights are summed in any order; a single p = 0 neighbour weighs far more than this.
+  constexpr double rounding = 1e-11;
+  const auto n = static_cast<std::int32_t>(system.size());
+  excess.resize(system.size());
+#pragma omp parallel for schedule(static)
+  for (std::int32_t i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    double sum = system.diagonal[at];
+    const auto end = static_cast<std::size_t>(system.row_start[at + 1]);
+    for (auto k = static_cast<std::size_t>(system.row_start[at]); k < end; ++k) {
+      sum += system.value[k];
+    }
+    excess[at] = sum > rounding * system.diagonal[at] ? sum : 0.0;
+  }
+}
+
 double relative_residual(const PoissonSystem& system, const Field& p) {
   Field product;
   multiply(system, p, product);

@@ -22,14 +22,19 @@ struct PoissonSystem {
   Field rhs;
 
   int dimension = 2;
-  double spacing = 1.0;    ///< l0, m: the scale of the coordinates
-  std::array<Field, 3> x;  ///< m, where the unknowns are; the first `dimension` are used
+  double spacing = 1.0;            ///< l0, m
+  std::array<Field, 3> x;          ///< m, where the unknowns are; the first `dimension` are used
+  std::array<double, 3> period{};  ///< m, length of the periodic axes, zero for the others
 
   [[nodiscard]] std::size_t size() const { return diagonal.size(); }
 };
 
 /// y = A x.
 void multiply(const PoissonSystem& system, const Field& x, Field& y);
+
+/// What the diagonal holds beyond the row's own couplings, diagonal - sum |value|: the coupling to
+/// particles with p = 0. Zero to rounding (and never below) where there are none.
+void compute_excess(const PoissonSystem& system, Field& excess);
 
 /// ||b - A p|| / ||b|| in the Euclidean norm; ||A p|| where b = 0.
 double relative_residual(const PoissonSystem& system, const Field& p);

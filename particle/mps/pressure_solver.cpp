@@ -6,6 +6,7 @@
 
 #include "particle/mps/linear/closed_regions.hpp"
 #include "particle/mps/linear/direct.hpp"
+#include "particle/mps/linear/grid_pcg.hpp"
 #include "particle/mps/linear/iccg.hpp"
 #include "particle/mps/linear/timer.hpp"
 #include "particle/support/error.hpp"
@@ -14,7 +15,7 @@ namespace surge::mps {
 
 namespace {
 
-using Method = std::variant<Iccg, SparseCholesky>;
+using Method = std::variant<Iccg, SparseCholesky, GridPcg>;
 
 Method make_method(PpeSolver solver) {
   switch (solver) {
@@ -22,15 +23,19 @@ Method make_method(PpeSolver solver) {
       return Method(std::in_place_type<Iccg>);
     case PpeSolver::cholmod:
       return Method(std::in_place_type<SparseCholesky>);
+    case PpeSolver::multigrid:
+      return Method(std::in_place_type<GridPcg>);
   }
   throw Error("method.ppe_solver: unknown solver");
 }
 
-SolveReport run(Iccg& method, const PoissonSystem& system, Field& p, const Params& params) {
+SolveReport run(Iccg& method, const PoissonSystem& system, const Field&, Field& p,
+                const Params& params) {
   return method.solve(system, p, params.ppe_tolerance, params.ppe_max_iterations);
 }
 
-SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, const Params&) {
+SolveReport run(SparseCholesky& method, const PoissonSystem& system, const Field&, Field& p,
+                const Params&) {
   SolveReport report;
   Timer setup(report.setup_s);
   method.factorise(system);
@@ -38,6 +43,12 @@ SolveReport run(SparseCholesky& method, const PoissonSystem& system, Field& p, c
   Timer solve(report.solve_s);
   method.solve(system.rhs, p);
   return report;
+}
+
+SolveReport run(GridPcg& method, const PoissonSystem& system, const Field& excess, Field& p,
+                const Params& params) {
+  return method.solve(system, excess, p, params.re_laplacian * system.spacing, params.ppe_tolerance,
+                      params.ppe_max_iterations);
 }
 
 void check(const PoissonSystem& system) {
@@ -62,6 +73,7 @@ struct PressureSolver::State {
 
   Params params;
   Method method;
+  Field excess;
   ClosedRegions closed;
   PoissonSystem anchored;  // a copy, made only where there are closed regions
 };
@@ -88,11 +100,12 @@ SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
   SolveReport report;
   double preparation_s = 0.0;
   Timer preparation(preparation_s);
-  const std::vector<Region>& closed = state_->closed.find(system);
+  compute_excess(system, state_->excess);
+  const std::vector<Region>& closed = state_->closed.find(system, state_->excess);
   const PoissonSystem* solvable = &system;
   if (!closed.empty()) {
     state_->anchored = system;
-    anchor(closed, state_->anchored, p);
+    anchor(closed, state_->anchored, state_->excess, p);
     solvable = &state_->anchored;
   }
   preparation.stop();
@@ -100,8 +113,9 @@ SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
   if (is_zero(solvable->rhs)) {  // relative residuals have no meaning, and p = 0 is exact
     p.assign(system.size(), 0.0);
   } else {
-    report = std::visit([&](auto& method) { return run(method, *solvable, p, state_->params); },
-                        state_->method);
+    report = std::visit(
+        [&](auto& method) { return run(method, *solvable, state_->excess, p, state_->params); },
+        state_->method);
     report.residual = relative_residual(*solvable, p);
     if (!std::isfinite(report.residual)) throw Error("pressure: the solution is not finite");
     // The recursive residual of conjugate gradients and the true one part in the last digits.

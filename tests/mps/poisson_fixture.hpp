@@ -19,6 +19,7 @@ struct Lattice {
   double jitter = 0.1;
   double radius = 4.0;
   unsigned seed = 7;
+  bool periodic = false;  ///< along the first axis
 };
 
 class LatticeSystem {
@@ -29,6 +30,7 @@ class LatticeSystem {
     for (std::size_t i = 0; i < particle_.size(); ++i) add_row(particle_[i]);
     system.dimension = lattice_.dimension;
     system.spacing = 1.0;
+    if (lattice_.periodic) system.period[0] = lattice_.counts[0];
   }
 
   PoissonSystem system;
@@ -99,11 +101,18 @@ class LatticeSystem {
       lower[a] = std::max(c[a] - reach, 0);
       upper[a] = std::min(c[a] + reach + 1, lattice_.counts[a]);
     }
+    if (lattice_.periodic) {
+      lower[0] = c[0] - reach;
+      upper[0] = c[0] + reach + 1;
+    }
     system.row_start.push_back(static_cast<std::int32_t>(system.column.size()));
     double diagonal = 0.0;
-    each(lower, upper, [&](const Cell& other) {
-      if (other == c) return;
-      const Point& there = point_[index(other)];
+    each(lower, upper, [&](const Cell& image) {
+      if (image == c) return;
+      Cell other = image;
+      other[0] = (image[0] + lattice_.counts[0]) % lattice_.counts[0];
+      Point there = point_[index(other)];
+      there[0] += image[0] - other[0];
       const double r = std::hypot(there[0] - here[0], there[1] - here[1], there[2] - here[2]);
       if (r >= lattice_.radius) return;
       const double w = lattice_.radius / r - 1.0;

@@ -7,17 +7,6 @@ namespace surge::mps {
 
 namespace {
 
-// Weights within re are summed in any order; a single p = 0 neighbour weighs far more than this.
-constexpr double rounding = 1e-11;
-
-bool touches_zero_pressure(const PoissonSystem& system, std::size_t i) {
-  double sum = system.diagonal[i];
-  for (auto k = system.row_start[i]; k < system.row_start[i + 1]; ++k) {
-    sum += system.value[static_cast<std::size_t>(k)];
-  }
-  return sum > rounding * system.diagonal[i];
-}
-
 bool has_open_neighbour(const PoissonSystem& system, const AlignedVector<char>& open,
                         std::size_t i) {
   for (auto k = system.row_start[i]; k < system.row_start[i + 1]; ++k) {
@@ -30,15 +19,11 @@ bool has_open_neighbour(const PoissonSystem& system, const AlignedVector<char>& 
 
 }  // namespace
 
-const std::vector<Region>& ClosedRegions::find(const PoissonSystem& system) {
+const std::vector<Region>& ClosedRegions::find(const PoissonSystem& system, const Field& excess) {
   const auto n = static_cast<std::int32_t>(system.size());
   regions_.clear();
   open_.resize(system.size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    open_[at] = touches_zero_pressure(system, at) ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < system.size(); ++i) open_[i] = excess[i] > 0.0 ? 1 : 0;
 
   // In cell order one sweep down and one up reach nearly everything; then sweep until at rest.
   std::int32_t found = 1;
@@ -82,7 +67,8 @@ const std::vector<Region>& ClosedRegions::find(const PoissonSystem& system) {
   return regions_;
 }
 
-void anchor(const std::vector<Region>& regions, PoissonSystem& system, Field& guess) {
+void anchor(const std::vector<Region>& regions, PoissonSystem& system, Field& excess,
+            Field& guess) {
   for (const Region& region : regions) {
     double mean = 0.0;
     for (const std::int32_t i : region) mean += system.rhs[static_cast<std::size_t>(i)];
@@ -94,8 +80,9 @@ void anchor(const std::vector<Region>& regions, PoissonSystem& system, Field& gu
       guess[static_cast<std::size_t>(i)] -= base;
     }
     // A particle without neighbours has no equation: p = 0.
-    double& diagonal = system.diagonal[first];
-    diagonal = diagonal > 0.0 ? 2.0 * diagonal : 1.0;
+    const double held = system.diagonal[first] > 0.0 ? system.diagonal[first] : 1.0;
+    system.diagonal[first] += held;
+    excess[first] += held;
   }
 }
 

@@ -9,12 +9,12 @@ namespace surge::mps {
 /// The unknowns of one connected part of the graph, ascending.
 using Region = std::vector<std::int32_t>;
 
-/// Finds the connected parts in which no row touches a p = 0 particle, that is, where every
-/// diagonal equals the sum of |value| over its row to rounding: there A is singular. Usually there
+/// Finds the connected parts in which no row touches a p = 0 particle, that is, where the excess
+/// is zero everywhere: there A is singular. Usually there
 /// are none, and two sweeps over the graph tell.
 class ClosedRegions {
  public:
-  const std::vector<Region>& find(const PoissonSystem& system);
+  const std::vector<Region>& find(const PoissonSystem& system, const Field& excess);
 
  private:
   AlignedVector<char> open_;  // reached from a row that touches p = 0
@@ -23,7 +23,7 @@ class ClosedRegions {
 
 /// Makes the equations of closed regions solvable and unique: subtracts the mean of the right side
 /// over each region and adds to the diagonal of its first unknown, whose pressure becomes zero.
-void anchor(const std::vector<Region>& regions, PoissonSystem& system, Field& guess);
+void anchor(const std::vector<Region>& regions, PoissonSystem& system, Field& excess, Field& guess);
 
 /// Shifts the pressure of each region so that the lowest is zero.
 void lift(const std::vector<Region>& regions, Field& p);
