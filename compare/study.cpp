@@ -26,6 +26,9 @@ StudyRun read_run(const TomlTable& table) {
       throw table.error("set", "\"" + setting + "\"", "\"key=value\"");
   }
   run.threads = static_cast<int>(table.integer_or("threads", 1, surge::Bounds::closed(1, 4096)));
+  // Of no concern here: compare/studies/study.py, which schedules the runs, goes by them.
+  static_cast<void>(table.boolean_or("timed", true));
+  static_cast<void>(table.boolean_or("may_break", false));
   return run;
 }
 

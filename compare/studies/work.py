@@ -69,7 +69,6 @@ def execute(study: Study, name: str, digest: str) -> bool:
     if run.digest() != digest:
         raise StudyError(f"{name}: its inputs changed after the start of the study; start it again")
     run.log.parent.mkdir(exist_ok=True)
-    started = time.monotonic()
     with open(run.log, "a", encoding="utf-8") as log:
         # The program inherits its log, and with it the lock: held for as long as it is at work.
         try:
@@ -80,6 +79,7 @@ def execute(study: Study, name: str, digest: str) -> bool:
         log.truncate(0)
         shutil.rmtree(run.folder, ignore_errors=True)
         _say(f"{name}: started, log {run.log}")
+        started = time.monotonic()
         status = (_run_foam if run.program == "interFoam" else _run_particle)(run, log)
     seconds = time.monotonic() - started
     broke = run.may_break and status == 1  # not where a signal ended it
