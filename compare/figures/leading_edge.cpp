@@ -130,42 +130,47 @@ Axes axes_of(const StudyResult& study) {
   return {std::ceil(2.0 * (axes.t_end + 0.1)) / 2.0, axes.z_end + 0.15};
 }
 
+std::string joined(const std::vector<std::string>& plots) {
+  std::string text = "plot ";
+  for (std::size_t i = 0; i < plots.size(); ++i) text += (i ? ", \\\n     " : "") + plots[i];
+  return text + "\n";
+}
+
+/// Published series first, so that the computed curves lie over them.
+std::string plots_of(const std::string& file, const StudyResult& study,
+                     const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < study.published.size(); ++i) {
+    const PublishedSeries& series = study.published[i];
+    const bool bars = series.position_uncertainty.value() > 0.0;
+    plots.push_back(
+        filtered(file, series.name, "T", "Z_over_L") +
+        (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
+        point_spec(published_style(i), 0.45) + " title " +
+        plot_string(series_label(series, shifts[i])));
+  }
+  for (const auto& curve : curves) {
+    plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
+                    line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) +
+                    " title " + plot_string(curve.label));
+  }
+  return joined(plots);
+}
+
 std::string upper_panel(const std::string& file, const StudyResult& study,
                         const std::vector<Curve>& curves, const std::vector<double>& shifts) {
   const Axes axes = axes_of(study);
-  const std::string ranges = "set xrange [0:" + fixed_text(axes.t_end, 2) +
-                             "]\nset yrange [0.9:" + fixed_text(axes.z_end, 3) +
-                             "]\nset ytics 0.5\nset xtics 0.5\n";
-  std::string script = ranges + window_mark(study, "graph 0", "graph 1");
+  std::string script = "set xrange [0:" + fixed_text(axes.t_end, 2) +
+                       "]\nset yrange [0.9:" + fixed_text(axes.z_end, 3) +
+                       "]\nset ytics 0.5\nset xtics 0.5\n" +
+                       window_mark(study, "graph 0", "graph 1");
   if (const auto end = window_end(study)) {
     script += "set label 1 \"end of window\" at " + fixed_text(end->value(), 4) +
               ", graph 0.02 rotate by 90 offset character -0.6,0 font \",5.6\" "
               "textcolor rgb \"#606060\"\n";
   }
-  script +=
-      "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\" offset 1.2\n"
-      "set key top left Left reverse width 1\nplot ";
-  for (const auto& curve : curves) {
-    script += filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
-              line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) + " title " +
-              plot_string(curve.label) + ", \\\n     ";
-  }
-  script += "1/0 notitle\n";
-  if (study.published.empty()) return script;
-  // A second plot over the first one, for its own legend at the other corner.
-  script +=
-      "unset arrow 1\nunset label 1\nunset ylabel\nset format y \"\"\nunset grid\n"
-      "set key bottom right Left reverse width -2\nplot ";
-  for (std::size_t i = 0; i < study.published.size(); ++i) {
-    const LineStyle style = published_style(i);
-    const std::string label = series_label(study.published[i], shifts[i]);
-    const bool bars = study.published[i].position_uncertainty.value() > 0.0;
-    script += filtered(file, study.published[i].name, "T", "Z_over_L") +
-              (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
-              point_spec(style, 0.45) + " title " + plot_string(label) +
-              (i + 1 < study.published.size() ? ", \\\n     " : "\n");
-  }
-  return script + "set format y \"%g\"\nset grid\n";
+  return script + "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\" offset 1.2\n" +
+         plots_of(file, study, curves, shifts) + "unset label 1\n";
 }
 
 std::string lower_panel(const Table& differences, const StudyResult& study,
@@ -180,14 +185,20 @@ std::string lower_panel(const Table& differences, const StudyResult& study,
       "set format x \"%g\"\nset yrange [-" + fixed_text(limit, 3) + ":" + fixed_text(limit, 3) +
       "]\nset ytics auto\nset key off\n"
       "set xlabel \"{/:Italic T} = {/:Italic t} √(2{/:Italic g}/{/:Italic L})\" offset 0,0.4\n"
-      "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\nplot 0 " +
-      line_spec(reference_style(), 1.0);
+      "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
+  std::vector<std::string> plots{"0 " + line_spec(reference_style(), 1.0)};
   for (const auto& curve : curves) {
     if (curve.run == &study.reference()) continue;
-    script += ", \\\n     " + filtered(file, curve.key(), "T", "dZ_over_L") + " with lines " +
-              line_spec(curve.style, 1.3);
+    plots.push_back(filtered(file, curve.key(), "T", "dZ_over_L") + " with lines " +
+                    line_spec(curve.style, 1.3));
   }
-  return script + "\n";
+  return script + joined(plots);
+}
+
+/// Panels from the top, in mm, and the legend under them with a line per curve.
+std::string panel_margins(double top, double bottom, double height) {
+  return "set tmargin at screen " + fixed_text(1.0 - top / height, 4) + "\nset bmargin at screen " +
+         fixed_text(1.0 - bottom / height, 4) + "\n";
 }
 
 Figure make(const StudyResult& study, const std::string& name, bool shifted) {
@@ -195,14 +206,16 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   const auto shifts = shifts_of(study, shifted);
   Figure figure;
   figure.name = name;
-  figure.height_mm = 110.0;
+  figure.height_mm = 98.0 + 3.4 * static_cast<double>(curves.size() + study.published.size());
   figure.tables.push_back(front_table(name, study, curves, shifts));
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
+  const std::string legend = fixed_text(1.0 - 94.5 / figure.height_mm, 4);
   figure.script =
-      "set multiplot\nset lmargin at screen 0.13\nset rmargin at screen 0.97\n"
-      "set tmargin at screen 0.985\nset bmargin at screen 0.36\n" +
-      upper_panel(name, study, curves, shifts) +
-      "set tmargin at screen 0.335\nset bmargin at screen 0.105\n" +
+      "set multiplot\nset lmargin at screen 0.155\nset rmargin at screen 0.97\n"
+      "set key at screen 0.05," +
+      legend + " left top vertical maxcols 1 Left reverse\n" +
+      panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(name, study, curves, shifts) +
+      panel_margins(59.0, 84.0, figure.height_mm) +
       lower_panel(figure.tables.back(), study, curves) + "unset multiplot\n";
   return figure;
 }

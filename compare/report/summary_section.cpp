@@ -67,14 +67,14 @@ std::string cost_sentence(const Page& page) {
   std::string text;
   const auto add = [&](const std::string& label, const std::string& seconds) {
     if (!v.has(seconds)) return;
-    text += (text.empty() ? "" : ", ") + v.text(label) + " " + v.magnitude(seconds) + " s";
+    text += (text.empty() ? "" : ", ") + v.magnitude(seconds) + " s for " + v.text(label);
   };
   for (const char* method : {"mps", "sph"}) {
     const std::string at = std::string("/summary/methods/") + method;
     if (v.has(at)) add(at + "/label", at + "/wall_s");
   }
   add("/summary/reference_label", "/summary/reference_wall_s");
-  return text.empty() ? "No run states its cost." : "Wall time: " + text + ".";
+  return text.empty() ? "No run states its cost." : "Wall time of the whole run: " + text + ".";
 }
 
 std::string machine_sentence(const Page& page) {
