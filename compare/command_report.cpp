@@ -41,13 +41,18 @@ StudyResult collect_study(const Arguments& arguments) {
 void draw_and_say(const FigureDefinition& definition, const StudyResult& study,
                   const fs::path& folder) {
   const Figure figure = definition.make(study);
-  draw(figure, folder);
+  const std::string warnings = draw(figure, folder);
+  if (!warnings.empty()) {
+    std::fprintf(stderr, "surge-compare: %s: %s", figure.name.c_str(), warnings.c_str());
+  }
   std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
 }
 
 void run_report(const Arguments& arguments) {
   const StudyResult study = collect_study(arguments);
-  const nlohmann::json metrics = write_report(study, arguments.out);
+  std::string warnings;
+  const nlohmann::json metrics = write_report(study, arguments.out, warnings);
+  if (!warnings.empty()) std::fprintf(stderr, "surge-compare: %s", warnings.c_str());
   std::printf("%s\nreport: %s\n", summary_table(study, metrics).c_str(),
               fs::absolute(fs::path(arguments.out) / "index.html").lexically_normal().c_str());
 }

@@ -18,7 +18,7 @@ std::string dimension_text(const std::string& symbol, double metres, double leng
   };
   const std::string ratio = trimmed(fixed_text(metres / length, 3));
   const std::string multiple = ratio == "1" ? "" : ratio;
-  return (symbol.empty() ? "" : symbol + " = ") + multiple + "{/:Italic L} = " +
+  return (symbol.empty() ? "" : symbol + " = ") + multiple + "{/:Italic L} = " +
          trimmed(fixed_text(metres, 4)) + " m";
 }
 
@@ -70,13 +70,12 @@ std::string walls(const Drawing& d) {
 std::string dimensions(const Drawing& d) {
   const std::string both = "heads size graph 0.015,20 filled lw 0.7 lc rgb \"#303030\"";
   const double gap = 0.18 * d.length;
-  std::string script =
-      line(0, -gap, d.column_width, -gap, both) +
-      label(dimension_text("", d.column_width, d.length), 0.5 * d.column_width, -gap,
-            "center offset 0,-0.8") +
-      line(d.column_width + gap, 0, d.column_width + gap, d.column_height, both) +
-      label(dimension_text("{/:Italic H}", d.column_height, d.length), d.column_width + 1.4 * gap,
-            0.5 * d.column_height, "left");
+  std::string script = line(0, -gap, d.column_width, -gap, both) +
+                       label(dimension_text("", d.column_width, d.length), 0.5 * d.column_width,
+                             -gap, "center offset 0,-0.8") +
+                       line(d.column_width + gap, 0, d.column_width + gap, d.column_height, both) +
+                       label(dimension_text("{/:Italic H}", d.column_height, d.length),
+                             d.column_width + 1.4 * gap, 0.5 * d.column_height, "left");
   if (!d.walls) return script;
   script += line(0, -3.2 * gap, d.tank_width, -3.2 * gap, both) +
             label(dimension_text("", d.tank_width, d.length), 0.5 * d.tank_width, -3.2 * gap,
@@ -89,10 +88,11 @@ std::string dimensions(const Drawing& d) {
 }
 
 std::string gravity(const Drawing& d, const Physics& physics) {
-  const double x = 0.5 * (d.column_width + d.tank_width) + 0.6 * d.length;
+  const double x = 0.5 * (d.column_width + d.tank_width) + 0.3 * d.length;
   const double y = 0.62 * d.column_height;
-  return line(x, y, x, y - 0.6 * d.length, "head size graph 0.02,20 filled lw 1 lc rgb \"#303030\"") +
-         label("{/:Italic g} = " + fixed_text(physics.gravity_magnitude(), 2) + " m/s²", x,
+  return line(x, y, x, y - 0.6 * d.length,
+              "head size graph 0.02,20 filled lw 1 lc rgb \"#303030\"") +
+         label("{/:Italic g} = " + fixed_text(physics.gravity_magnitude(), 2) + " m/s²", x,
                y - 0.3 * d.length, "left offset 0.8,0");
 }
 
@@ -126,7 +126,8 @@ Figure geometry_figure(const StudyResult& study) {
          << "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\n"
          << "set tmargin at screen 1\nset xrange [" << plot_number(x0) << ':' << plot_number(x1)
          << "]\nset yrange [" << plot_number(y0) << ':' << plot_number(y1) << "]\n"
-         << water(d) << walls(d) << dimensions(d) << gravity(d, run.physics) << "plot 1/0 notitle\n";
+         << water(d) << walls(d) << dimensions(d) << gravity(d, run.physics)
+         << "plot 1/0 notitle\n";
   figure.script = script.str();
   return figure;
 }

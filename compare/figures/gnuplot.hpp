@@ -22,13 +22,14 @@ struct Figure {
   double width_mm = single_column_mm;
   double height_mm = 70.0;
   std::string script;         ///< gnuplot commands; data files are named relative to the folder
-  std::vector<Table> tables;       ///< written as CSV before gnuplot runs
+  std::vector<Table> tables;  ///< written as CSV before gnuplot runs
   std::vector<NamedImage> images;  ///< written as PNG before gnuplot runs
 };
 
 /// Writes NAME.gp, NAME.svg, NAME.pdf and the tables into the folder. `gnuplot NAME.gp` there
-/// draws it again. Throws Error with gnuplot's own message where it fails or is not installed.
-void draw(const Figure& figure, const std::filesystem::path& folder);
+/// draws it again. Returns gnuplot's warnings, empty where there are none; throws Error with its
+/// message where it fails or is not installed.
+[[nodiscard]] std::string draw(const Figure& figure, const std::filesystem::path& folder);
 
 /// Text as a gnuplot string in double quotes, characters as they are.
 [[nodiscard]] std::string plot_string(const std::string& text);

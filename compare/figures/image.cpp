@@ -79,11 +79,11 @@ void Image::write_png(const std::filesystem::path& file) const {
   data->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   for (std::size_t row = 0; row < rows_; ++row) {
     for (std::size_t column = 0; column < columns_; ++column) {
-      const auto colour = at(x0_ + (double(column) + 0.5) / pixels_,
-                             y1_ - (double(row) + 0.5) / pixels_);
+      const auto colour =
+          at(x0_ + (double(column) + 0.5) / pixels_, y1_ - (double(row) + 0.5) / pixels_);
       // VTK's rows start at the bottom.
-      auto* pixel = static_cast<std::uint8_t*>(data->GetScalarPointer(
-          static_cast<int>(column), static_cast<int>(rows_ - 1 - row), 0));
+      auto* pixel = static_cast<std::uint8_t*>(
+          data->GetScalarPointer(static_cast<int>(column), static_cast<int>(rows_ - 1 - row), 0));
       std::copy(colour.begin(), colour.end(), pixel);
     }
   }

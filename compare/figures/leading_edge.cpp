@@ -8,11 +8,12 @@ namespace surge::compare {
 
 namespace {
 
-/// A curve's place in the legend and in the CSV files: its label is its key there.
 struct Curve {
   const RunResult* run;
   LineStyle style;
-  std::string label;
+  std::string label;  ///< in the legend
+
+  [[nodiscard]] const std::string& key() const { return run->study.name; }  ///< in the CSV files
 };
 
 std::vector<Curve> curves_of(const StudyResult& study) {
@@ -29,9 +30,10 @@ std::vector<Curve> curves_of(const StudyResult& study) {
   return curves;
 }
 
-std::string filtered(const std::string& file, const std::string& label, const std::string& x,
+/// `"file.csv" using x:y` of the rows of one series.
+std::string filtered(const std::string& file, const std::string& key, const std::string& x,
                      const std::string& y) {
-  return "\"" + file + ".csv\" using (strcol(1) eq " + plot_string(label) + " ? column(\"" + x +
+  return "\"" + file + ".csv\" using (strcol(1) eq " + plot_string(key) + " ? column(\"" + x +
          "\") : NaN):(column(\"" + y + "\"))";
 }
 
@@ -39,9 +41,9 @@ std::string filtered(const std::string& file, const std::string& label, const st
 std::vector<double> shifts_of(const StudyResult& study, bool shifted) {
   std::vector<double> shifts;
   for (const auto& series : study.published) {
-    shifts.push_back(shifted ? against_series(study.reference_run().front, series, study.wall())
-                                   .shift.value()
-                             : 0.0);
+    shifts.push_back(
+        shifted ? against_series(study.reference_run().front, series, study.wall()).shift.value()
+                : 0.0);
   }
   return shifts;
 }
@@ -59,7 +61,7 @@ Table front_table(const std::string& name, const StudyResult& study,
     const MeasuredRun& measured = *curve.run->measured;
     for (std::size_t i = 0; i < measured.front.samples.size(); ++i) {
       const auto& sample = measured.front.samples[i];
-      table.add({curve.label, "computed", measured.history[i].time.value(), sample.time.value(),
+      table.add({curve.key(), "computed", measured.history[i].time.value(), sample.time.value(),
                  sample.position.value(), 0.0, 0.0});
     }
   }
@@ -68,8 +70,8 @@ Table front_table(const std::string& name, const StudyResult& study,
     const auto& series = study.published[i];
     for (const auto& sample : series.front.samples) {
       const DimensionlessTime time = sample.time + DimensionlessTime(shifts[i]);
-      table.add({series_label(series, shifts[i]), "published", scales.dimensional(time).value(),
-                 time.value(), sample.position.value(), series.time_uncertainty.value(),
+      table.add({series.name, "published", scales.dimensional(time).value(), time.value(),
+                 sample.position.value(), series.time_uncertainty.value(),
                  series.position_uncertainty.value()});
     }
   }
@@ -89,7 +91,7 @@ Table difference_table(const std::string& name, const StudyResult& study,
       if (sample.time < window.begin || sample.time > window.end) continue;
       const auto other = reference.at(sample.time);
       if (other) {
-        table.add({curve.label, sample.time.value(), (sample.position - *other).value()});
+        table.add({curve.key(), sample.time.value(), (sample.position - *other).value()});
       }
     }
   }
@@ -128,54 +130,75 @@ Axes axes_of(const StudyResult& study) {
   return {std::ceil(2.0 * (axes.t_end + 0.1)) / 2.0, axes.z_end + 0.15};
 }
 
+std::string joined(const std::vector<std::string>& plots) {
+  std::string text = "plot ";
+  for (std::size_t i = 0; i < plots.size(); ++i) text += (i ? ", \\\n     " : "") + plots[i];
+  return text + "\n";
+}
+
+/// Published series first, so that the computed curves lie over them.
+std::string plots_of(const std::string& file, const StudyResult& study,
+                     const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+  std::vector<std::string> plots;
+  for (std::size_t i = 0; i < study.published.size(); ++i) {
+    const PublishedSeries& series = study.published[i];
+    const bool bars = series.position_uncertainty.value() > 0.0;
+    plots.push_back(
+        filtered(file, series.name, "T", "Z_over_L") +
+        (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
+        point_spec(published_style(i), 0.45) + " title " +
+        plot_string(series_label(series, shifts[i])));
+  }
+  for (const auto& curve : curves) {
+    plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
+                    line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) +
+                    " title " + plot_string(curve.label));
+  }
+  return joined(plots);
+}
+
 std::string upper_panel(const std::string& file, const StudyResult& study,
                         const std::vector<Curve>& curves, const std::vector<double>& shifts) {
   const Axes axes = axes_of(study);
-  const std::string ranges = "set xrange [0:" + fixed_text(axes.t_end, 2) + "]\nset yrange [0.9:" +
-                             fixed_text(axes.z_end, 3) + "]\nset ytics 0.5\nset xtics 0.5\n";
-  std::string script = ranges + window_mark(study, "graph 0", "graph 1");
+  std::string script = "set xrange [0:" + fixed_text(axes.t_end, 2) +
+                       "]\nset yrange [0.9:" + fixed_text(axes.z_end, 3) +
+                       "]\nset ytics 0.5\nset xtics 0.5\n" +
+                       window_mark(study, "graph 0", "graph 1");
   if (const auto end = window_end(study)) {
     script += "set label 1 \"end of window\" at " + fixed_text(end->value(), 4) +
               ", graph 0.02 rotate by 90 offset character -0.6,0 font \",5.6\" "
               "textcolor rgb \"#606060\"\n";
   }
-  script += "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\"\n"
-            "set key top left Left reverse width 1\nplot ";
-  for (const auto& curve : curves) {
-    script += filtered(file, curve.label, "T", "Z_over_L") + " with lines " +
-              line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) + " title " +
-              plot_string(curve.label) + ", \\\n     ";
-  }
-  script += "1/0 notitle\n";
-  if (study.published.empty()) return script;
-  // A second plot over the first one, for its own legend at the other corner.
-  script += "unset arrow 1\nunset label 1\nunset ylabel\nset format y \"\"\nunset grid\n"
-            "set key bottom right Left reverse width -2\nplot ";
-  for (std::size_t i = 0; i < study.published.size(); ++i) {
-    const LineStyle style = published_style(i);
-    const std::string label = series_label(study.published[i], shifts[i]);
-    const bool bars = study.published[i].position_uncertainty.value() > 0.0;
-    script += filtered(file, label, "T", "Z_over_L") +
-              (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
-              point_spec(style, 0.45) + " title " + plot_string(label) +
-              (i + 1 < study.published.size() ? ", \\\n     " : "\n");
-  }
-  return script + "set format y \"%g\"\nset grid\n";
+  return script + "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\" offset 1.2\n" +
+         plots_of(file, study, curves, shifts) + "unset label 1\n";
 }
 
-std::string lower_panel(const std::string& file, const StudyResult& study,
+std::string lower_panel(const Table& differences, const StudyResult& study,
                         const std::vector<Curve>& curves) {
+  const std::string& file = differences.name;
+  double limit = 0.05;
+  for (const auto& row : differences.rows) {
+    limit = std::max(limit, 1.1 * std::abs(std::get<double>(row[2])));
+  }
   std::string script = window_mark(study, "graph 0", "graph 1");
-  script += "set format x \"%g\"\nset yrange [*<-0.05:0.05<*]\nset ytics auto\nset key off\n"
-            "set xlabel \"{/:Italic T = t} √(2{/:Italic g/L})\"\n"
-            "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\"\nplot 0 " +
-            line_spec(reference_style(), 1.0);
+  script +=
+      "set format x \"%g\"\nset yrange [-" + fixed_text(limit, 3) + ":" + fixed_text(limit, 3) +
+      "]\nset ytics auto\nset key off\n"
+      "set xlabel \"{/:Italic T} = {/:Italic t} √(2{/:Italic g}/{/:Italic L})\" offset 0,0.4\n"
+      "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
+  std::vector<std::string> plots{"0 " + line_spec(reference_style(), 1.0)};
   for (const auto& curve : curves) {
     if (curve.run == &study.reference()) continue;
-    script += ", \\\n     " + filtered(file, curve.label, "T", "dZ_over_L") + " with lines " +
-              line_spec(curve.style, 1.3);
+    plots.push_back(filtered(file, curve.key(), "T", "dZ_over_L") + " with lines " +
+                    line_spec(curve.style, 1.3));
   }
-  return script + "\n";
+  return script + joined(plots);
+}
+
+/// Panels from the top, in mm, and the legend under them with a line per curve.
+std::string panel_margins(double top, double bottom, double height) {
+  return "set tmargin at screen " + fixed_text(1.0 - top / height, 4) + "\nset bmargin at screen " +
+         fixed_text(1.0 - bottom / height, 4) + "\n";
 }
 
 Figure make(const StudyResult& study, const std::string& name, bool shifted) {
@@ -183,14 +206,17 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   const auto shifts = shifts_of(study, shifted);
   Figure figure;
   figure.name = name;
-  figure.height_mm = 110.0;
+  figure.height_mm = 98.0 + 3.4 * static_cast<double>(curves.size() + study.published.size());
   figure.tables.push_back(front_table(name, study, curves, shifts));
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
-  figure.script = "set multiplot\nset lmargin at screen 0.125\nset rmargin at screen 0.97\n"
-                  "set tmargin at screen 0.985\nset bmargin at screen 0.36\n" +
-                  upper_panel(name, study, curves, shifts) +
-                  "set tmargin at screen 0.335\nset bmargin at screen 0.095\n" +
-                  lower_panel(name + "_difference", study, curves) + "unset multiplot\n";
+  const std::string legend = fixed_text(1.0 - 94.5 / figure.height_mm, 4);
+  figure.script =
+      "set multiplot\nset lmargin at screen 0.155\nset rmargin at screen 0.97\n"
+      "set key at screen 0.05," +
+      legend + " left top vertical maxcols 1 Left reverse\n" +
+      panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(name, study, curves, shifts) +
+      panel_margins(59.0, 84.0, figure.height_mm) +
+      lower_panel(figure.tables.back(), study, curves) + "unset multiplot\n";
   return figure;
 }
 

@@ -9,13 +9,13 @@ namespace surge::compare {
 namespace {
 
 /// The part of the water that a row of panels must show; single drops may fly out of the picture.
-constexpr double shown_part = 0.99;
+constexpr double shown_part = 0.97;
 
 struct Panel {
   const RunResult* run = nullptr;
-  Seconds time;            ///< of the frame
+  Seconds time;  ///< of the frame
   WaterPicture water;
-  std::string missing;     ///< why there is no picture; empty where there is one
+  std::string missing;  ///< why there is no picture; empty where there is one
 };
 
 struct Row {
@@ -26,12 +26,13 @@ struct Row {
 
 /// Layout in mm; the origin is the figure's upper left corner.
 struct Layout {
-  double left = 12.0, right = 3.0, top = 7.0, bottom = 20.0, column_gap = 2.5, row_gap = 6.0;
-  double x_span = 4.0;        ///< of every panel, over L
+  double left = 12.0, right = 3.0, top = 7.0, bottom = 26.0, column_gap = 2.5, row_gap = 6.0;
+  double x_span = 4.0;  ///< of every panel, over L
   double panel_width = 0.0;
-  double height = 0.0;        ///< of the whole figure
+  double height = 0.0;  ///< of the whole figure
 
   [[nodiscard]] double scale() const { return panel_width / x_span; }  ///< mm per L
+  [[nodiscard]] double pixels() const { return 11.0 * scale(); }       ///< per L: 280 per inch
 };
 
 /// Index of the frame nearest to a time; empty where none is within half a frame interval of it.
@@ -79,7 +80,9 @@ Row make_row(const StudyResult& study, Seconds time) {
   return row;
 }
 
-std::string screen(double x) { return fixed_text(x, 5); }
+std::string screen(double x) {
+  return fixed_text(x, 5);
+}
 
 std::string margins(double left, double right, double top, double bottom) {
   return "set lmargin at screen " + screen(left) + "\nset rmargin at screen " + screen(right) +
@@ -116,31 +119,35 @@ std::string panel_plot(const Panel& panel, const std::string& image, double pixe
 }
 
 std::string row_heading(const Row& row, const Scales& scales) {
-  return "set label 1 \"{/:Italic t} = " + fixed_text(row.time.value(), 2) +
-         " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(row.time).value(), 2) +
+  return "set label 1 \"{/:Italic t} = " + fixed_text(row.time.value(), 2) +
+         " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(row.time).value(), 2) +
          "\" at graph 0,1 left offset 0,character 0.55\n";
 }
 
 /// A bar with the colours of p/(rho g H) from 0 to 1.
 std::string colour_bar(const Layout& layout) {
   const double width = 0.35;
-  const double bottom = 10.5 / layout.height;
+  const double bottom = 11.5 / layout.height;
   return margins(0.5 - width / 2, 0.5 + width / 2, bottom + 2.5 / layout.height, bottom) +
          "set label 4 \"\"\nset border 15\nset xrange [0:1]\nset yrange [0:1]\nset xtics 0.25\n"
          "unset ytics\nset format x \"%g\"\nunset ylabel\n"
          "set xlabel \"{/:Italic p}/(ρ{/:Italic gH})\" offset 0,0.4\n"
-         "plot \"fig7_colours.png\" binary filetype=png origin=(0.001953125,0.5) dx=0.00390625 dy=1 "
+         "plot \"fig7_colours.png\" binary filetype=png origin=(0.001953125,0.25) dx=0.00390625 "
+         "dy=0.5 "
          "with rgbalpha notitle\n";
 }
 
 Image colour_bar_image() {
-  Image image(0.0, 256.0, 0.0, 1.0, 1.0);
-  for (int i = 0; i < 256; ++i) image.rectangle(i, i + 1, 0.0, 1.0, viridis(i / 255.0), 1.0);
+  // Two rows, because gnuplot draws nothing of a picture of one.
+  Image image(0.0, 256.0, 0.0, 2.0, 1.0);
+  for (int i = 0; i < 256; ++i) image.rectangle(i, i + 1, 0.0, 2.0, viridis(i / 255.0), 1.0);
   return image;
 }
 
 /// Five decimals of L are a hundredth of a particle at the finest; more would only fill the disk.
-double rounded(double value) { return std::round(1e5 * value) / 1e5; }
+double rounded(double value) {
+  return std::round(1e5 * value) / 1e5;
+}
 
 void add_rows(const Panel& panel, Table& water, Table& surface) {
   const std::string& name = panel.run->study.name;
@@ -168,11 +175,68 @@ Layout layout_of(const StudyResult& study, const std::vector<Row>& rows) {
   Layout layout;
   layout.x_span = span_of(study, rows);
   const auto columns = double(study.runs.size());
-  layout.panel_width = (double_column_mm - layout.left - layout.right -
-                        layout.column_gap * (columns - 1.0)) / columns;
+  layout.panel_width =
+      (double_column_mm - layout.left - layout.right - layout.column_gap * (columns - 1.0)) /
+      columns;
   layout.height = layout.top + layout.bottom;
   for (const auto& row : rows) layout.height += row.height * layout.scale() + layout.row_gap;
   return layout;
+}
+
+std::string image_name(std::size_t row, std::size_t column) {
+  return "fig7_" + std::to_string(row) + "_" + std::to_string(column);
+}
+
+/// Numbers on the axes of the outer panels only.
+std::string axes(bool first_column, bool last_row) {
+  return std::string(last_row ? "set format x \"%g\"\nset xlabel \"{/:Italic x}/{/:Italic L}\" "
+                                "offset 0,0.5\n"
+                              : "set format x \"\"\nunset xlabel\n") +
+         (first_column
+              ? "set format y \"%g\"\nset ylabel \"{/:Italic y}/{/:Italic L}\" offset 0.8\n"
+              : "set format y \"\"\nunset ylabel\n");
+}
+
+/// Script of one row whose panels begin `top` mm below the figure's upper edge.
+std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout& layout,
+                       const Scales& scales, double top) {
+  const Row& row = rows[r];
+  const double bottom = top + row.height * layout.scale();
+  std::string script = "set xrange [0:" + plot_number(layout.x_span) +
+                       "]\nset yrange [0:" + plot_number(row.height) + "]\n";
+  for (std::size_t c = 0; c < row.panels.size(); ++c) {
+    const Panel& panel = row.panels[c];
+    const double left = layout.left + double(c) * (layout.panel_width + layout.column_gap);
+    script += margins(left / double_column_mm, (left + layout.panel_width) / double_column_mm,
+                      1.0 - top / layout.height, 1.0 - bottom / layout.height) +
+              axes(c == 0, r + 1 == rows.size());
+    if (c == 0) script += row_heading(row, scales);
+    if (r == 0) {
+      script += "set label 4 " + plot_label(panel.run->label()) +
+                " at graph 0.5,1 center offset 0,character 1.9 font \",7.5\"\n";
+    }
+    script += panel_label(panel, row) + panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
+              "unset label\n";
+  }
+  return script;
+}
+
+/// Pictures and data of all panels.
+void add_pictures(const std::vector<Row>& rows, const Layout& layout, Figure& figure) {
+  Table water{"fig7", {"run", "time_s", "x_over_L", "y_over_L", "p_over_rho_g_H", "alpha"}, {}};
+  Table surface{"fig7_surface", {"run", "time_s", "x0", "y0", "x1", "y1"}, {}};
+  figure.images.push_back({"fig7_colours", colour_bar_image()});
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < rows[r].panels.size(); ++c) {
+      const Panel& panel = rows[r].panels[c];
+      if (!panel.missing.empty()) continue;
+      Image image(0.0, layout.x_span, 0.0, rows[r].height, layout.pixels());
+      panel.water.paint(image);
+      figure.images.push_back({image_name(r, c), std::move(image)});
+      add_rows(panel, water, surface);
+    }
+  }
+  figure.tables = {std::move(water), std::move(surface)};
 }
 
 }  // namespace
@@ -181,61 +245,30 @@ Figure snapshot_figure(const StudyResult& study) {
   std::vector<Row> rows;
   for (Seconds time : study.study.snapshot_times) rows.push_back(make_row(study, time));
   const Layout layout = layout_of(study, rows);
-  const Run& reference = study.reference_run().run;
-  const Scales scales = reference.physics.scales();
+  const Scales scales = study.reference_run().run.physics.scales();
 
   Figure figure;
   figure.name = "fig7";
   figure.title = "Fig. 7. Dam-break flow at different times";
   figure.caption =
       "Pressure over that of the resting column, p/(ρgH) with H its height; colours end at 0 and "
-      "1. Particles are discs of diameter l0. On the mesh the colour fades with the volume fraction "
-      "and the line is alpha = 0.5. Each row is as high as the lowest 99 % of the water need; what "
+      "1. Particles are discs of diameter l0. On the mesh the colour fades with the volume "
+      "fraction "
+      "and the line is alpha = 0.5. Each row is as high as the lowest 97 % of the water need; what "
       "is above is stated over the panel.";
   figure.width_mm = double_column_mm;
   figure.height_mm = layout.height;
-  Table water{"fig7", {"run", "time_s", "x_over_L", "y_over_L", "p_over_rho_g_H", "alpha"}, {}};
-  Table surface{"fig7_surface", {"run", "time_s", "x0", "y0", "x1", "y1"}, {}};
-  figure.images.push_back({"fig7_colours", colour_bar_image()});
-
-  std::string script = "set multiplot\nset border 11 lw 0.8 lc rgb \"#404040\"\nunset grid\n"
-                       "unset key\nset xtics 1\nset ytics 1\n";
-  const double pixels = 11.0 * layout.scale();
-  double top = layout.top + layout.row_gap;
+  figure.script =
+      "set multiplot\nset border 11 lw 0.8 lc rgb \"#404040\"\nunset grid\n"
+      "unset key\nset xtics 1\nset ytics 1\n";
+  double top = layout.top;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const Row& row = rows[r];
-    const double bottom = top + row.height * layout.scale();
-    for (std::size_t c = 0; c < row.panels.size(); ++c) {
-      const Panel& panel = row.panels[c];
-      const double left = layout.left + double(c) * (layout.panel_width + layout.column_gap);
-      const std::string image = "fig7_" + std::to_string(r) + "_" + std::to_string(c);
-      script += margins(left / figure.width_mm, (left + layout.panel_width) / figure.width_mm,
-                        1.0 - top / layout.height, 1.0 - bottom / layout.height);
-      script += "set xrange [0:" + plot_number(layout.x_span) + "]\nset yrange [0:" +
-                plot_number(row.height) + "]\n";
-      script += r + 1 == rows.size()
-                    ? "set format x \"%g\"\nset xlabel \"{/:Italic x}/{/:Italic L}\" offset 0,0.5\n"
-                    : "set format x \"\"\nunset xlabel\n";
-      script += c == 0 ? "set format y \"%g\"\nset ylabel \"{/:Italic y}/{/:Italic L}\" offset 0.8\n"
-                       : "set format y \"\"\nunset ylabel\n";
-      if (c == 0) script += row_heading(row, scales);
-      if (r == 0) {
-        script += "set label 4 " + plot_label(panel.run->label()) +
-                  " at graph 0.5,1 center offset 0,character 1.9 font \",7.5\"\n";
-      }
-      script += panel_label(panel, row) + panel_plot(panel, image, 1.0 / pixels);
-      script += "unset label\n";
-      if (!panel.missing.empty()) continue;
-      Image picture(0.0, layout.x_span, 0.0, row.height, pixels);
-      panel.water.paint(picture);
-      figure.images.push_back({image, std::move(picture)});
-      add_rows(panel, water, surface);
-    }
-    top = bottom + layout.row_gap;
+    top += layout.row_gap;
+    figure.script += row_script(rows, r, layout, scales, top);
+    top += rows[r].height * layout.scale();
   }
-  script += colour_bar(layout) + "unset multiplot\n";
-  figure.script = script;
-  figure.tables = {std::move(water), std::move(surface)};
+  figure.script += colour_bar(layout) + "unset multiplot\n";
+  add_pictures(rows, layout, figure);
   return figure;
 }
 

@@ -32,7 +32,9 @@ std::string Colour::hex() const {
   return text;
 }
 
-LineStyle reference_style() { return {{0x00, 0x00, 0x00}, "solid", 6}; }
+LineStyle reference_style() {
+  return {{0x00, 0x00, 0x00}, "solid", 6};
+}
 
 LineStyle run_style(std::size_t index) {
   static const std::array<LineStyle, 6> styles{{{{0x00, 0x72, 0xb2}, "solid", 4},

@@ -31,7 +31,8 @@ struct LineStyle {
 /// `pt P ps S lc rgb "..." lw 0.8` for a plot command.
 [[nodiscard]] std::string point_spec(const LineStyle& style, double size);
 
-/// Viridis (van der Walt & Smith, CC0), interpolated from nine of its colours; s is clamped to 0..1.
+/// Viridis (van der Walt & Smith, CC0), interpolated from nine of its colours; s is clamped to
+/// 0..1.
 [[nodiscard]] Colour viridis(double s);
 /// The same map as a `set palette` command.
 [[nodiscard]] std::string viridis_palette();

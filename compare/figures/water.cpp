@@ -34,7 +34,8 @@ struct View {
         three_dimensional(run.physics.dimension == 3) {
     const double height = run.physics.column.upper[up] - run.physics.column.lower[up];
     // A source that does not state its density is water.
-    pressure_scale = run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
+    pressure_scale =
+        run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
     const Extent& box = run.physics.tank ? *run.physics.tank : run.physics.column;
     middle = 0.5 * (box.lower[depth] + box.upper[depth]);
   }
@@ -44,7 +45,8 @@ struct View {
 
 WaterPicture particle_picture(const ParticleFrame& frame, const Run& run) {
   if (frame.pressure.size() != frame.position.size()) {
-    throw Error(run.path.string() + ": no pressure per particle, expected one to colour the figure");
+    throw Error(run.path.string() +
+                ": no pressure per particle, expected one to colour the figure");
   }
   const View view(run);
   const double half = 0.5 * run.spacing.value();
@@ -95,8 +97,8 @@ void add_surface(const WaterPatch& box, const CornerMeans& corners, std::vector<
     crossings.emplace_back(x[i] + s * (x[j] - x[i]), y[i] + s * (y[j] - y[i]));
   }
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    surface.push_back({crossings[i].first, crossings[i].second, crossings[i + 1].first,
-                       crossings[i + 1].second});
+    surface.push_back(
+        {crossings[i].first, crossings[i].second, crossings[i + 1].first, crossings[i + 1].second});
   }
 }
 
@@ -139,7 +141,9 @@ WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
   return picture;
 }
 
-double volume(const WaterPatch& patch) { return patch.fraction * patch.half_x * patch.half_y; }
+double volume(const WaterPatch& patch) {
+  return patch.fraction * patch.half_x * patch.half_y;
+}
 
 }  // namespace
 

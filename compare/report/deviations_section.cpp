@@ -40,9 +40,9 @@ std::string run_table(const Page& page, const RunResult& run) {
   }
   const std::size_t count = departures.size();
   departures.insert(departures.end(), others.begin(), others.end());
-  return std::string("<details") + (count > 0 ? " open" : "") + ">\n<summary><code>" +
-         page.values.text(key({"runs", run.study.name, "name"})) + "</code>: " +
-         page.values.integer(key({"deviation_counts", run.study.name, "departs"})) +
+  return std::string("<details") + (count > 0 ? " open=\"open\"" : "") + ">\n<summary><code>" +
+         page.values.text(key({"runs", run.study.name, "name"})) +
+         "</code>: " + page.values.integer(key({"deviation_counts", run.study.name, "departs"})) +
          " departing from the paper, " +
          page.values.integer(key({"deviation_counts", run.study.name, "open"})) +
          " left open by it</summary>\n<div class=\"words\">" +
@@ -78,7 +78,8 @@ void measure_deviations(const StudyResult& study, json& metrics) {
 std::string write_deviations(const Page& page) {
   std::string html =
       "<p>Resolved parameters as each run’s manifest states them, against what the paper says. "
-      "<em>Left open</em>: the paper gives no value, so ours is a choice. The reference is computed "
+      "<em>Left open</em>: the paper gives no value, so ours is a choice. The reference is "
+      "computed "
       "with interFoam instead of the paper’s FLUENT, whose mesh and settings it does not "
       "give.</p>\n";
   for (const RunResult* run : page.study.measured()) {

@@ -50,10 +50,14 @@ Agreement compare_with_paper(const PaperSetting* setting, const nlohmann::json& 
 
 std::string agreement_text(Agreement agreement) {
   switch (agreement) {
-    case Agreement::as_stated: return "as stated";
-    case Agreement::departs: return "departs";
-    case Agreement::open: return "left open";
-    case Agreement::unknown: return "not in the paper";
+    case Agreement::as_stated:
+      return "as stated";
+    case Agreement::departs:
+      return "departs";
+    case Agreement::open:
+      return "left open";
+    case Agreement::unknown:
+      return "not in the paper";
   }
   return "unknown";
 }

@@ -27,6 +27,7 @@ enum class Agreement {
 /// Null where the list has no such parameter.
 [[nodiscard]] const PaperSetting* find_paper_setting(const std::string& method,
                                                      const std::string& parameter);
-[[nodiscard]] Agreement compare_with_paper(const PaperSetting* setting, const nlohmann::json& value);
+[[nodiscard]] Agreement compare_with_paper(const PaperSetting* setting,
+                                           const nlohmann::json& value);
 
 }  // namespace surge::compare

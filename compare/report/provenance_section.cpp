@@ -64,9 +64,10 @@ std::string write_provenance(const Page& page) {
                                  "Threads", "Date"},
                                 rows) +
                      "</div>\n";
-  return html + "<p>Every number of this page is an entry of <a href=\"metrics.json\"><code>"
-                "metrics.json</code></a>; the attribute <code>data-key</code> of its element names "
-                "it.</p>\n";
+  return html +
+         "<p>Every number of this page is an entry of <a href=\"metrics.json\"><code>"
+         "metrics.json</code></a>; the attribute <code>data-key</code> of its element names "
+         "it.</p>\n";
 }
 
 }  // namespace surge::compare

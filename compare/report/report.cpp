@@ -51,14 +51,15 @@ json report_metrics(const StudyResult& study) {
   return out;
 }
 
-json write_report(const StudyResult& study, const fs::path& out) {
+json write_report(const StudyResult& study, const fs::path& out, std::string& warnings) {
   const json numbers = report_metrics(study);
   const fs::path folder = out / "figures";
   fs::create_directories(folder);
   std::vector<Figure> figures;
   for (const auto& definition : all_figures()) {
     figures.push_back(definition.make(study));
-    draw(figures.back(), folder);
+    const std::string said = draw(figures.back(), folder);
+    if (!said.empty()) warnings += definition.name + ": " + said;
   }
   const Page page{study, Values(numbers), figures, folder};
   write_text(out / "metrics.json", numbers.dump(1) + "\n");

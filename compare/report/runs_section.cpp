@@ -18,7 +18,8 @@ json steps_per_second(const json& timing) {
 
 json wall_per_simulated_second(const json& timing, const RunResult& run) {
   const auto last = run.last_time();
-  if (!last || last->value() <= 0.0 || !timing.contains("wall_s") || !timing["wall_s"].is_number()) {
+  if (!last || last->value() <= 0.0 || !timing.contains("wall_s") ||
+      !timing["wall_s"].is_number()) {
     return nullptr;
   }
   return timing["wall_s"].get<double>() / last->value();
@@ -48,8 +49,8 @@ std::string status_table(const Page& page) {
     rows.push_back({"<code>" + page.values.text(pointer + "/name") + "</code>",
                     page.values.text(pointer + "/label"), status_cell(page, run)});
   }
-  return "<div class=\"words\">" + html_table("Runs of the study", {"Run", "What", "Status"}, rows) +
-         "</div>";
+  return "<div class=\"words\">" +
+         html_table("Runs of the study", {"Run", "What", "Status"}, rows) + "</div>";
 }
 
 std::string accuracy_table(const Page& page) {
@@ -57,14 +58,15 @@ std::string accuracy_table(const Page& page) {
   const std::string against = values.at("/summary/against").get<std::string>();
   std::vector<std::vector<std::string>> rows;
   for (const auto& run : page.study.runs) {
-    const std::string name = "<code>" + values.text(key({"runs", run.study.name, "name"})) + "</code>";
+    const std::string name =
+        "<code>" + values.text(key({"runs", run.study.name, "name"})) + "</code>";
     if (run.measured == nullptr) {
       rows.push_back({name, status_cell(page, run), "–", "–", "–", "–", "–"});
       continue;
     }
     const std::string front = key({"front", run.study.name});
-    const std::string window = values.number(front + "/window_T/0", 2) + " to " +
-                               values.number(front + "/window_T/1", 2);
+    const std::string window =
+        values.number(front + "/window_T/0", 2) + " to " + values.number(front + "/window_T/1", 2);
     rows.push_back({name, window, values.number(front + "/rms_vs_" + against, 4),
                     values.number(front + "/max_vs_" + against, 4),
                     values.signed_number(front + "/bias_vs_" + against, 4),
@@ -82,8 +84,8 @@ std::string arrival_table(const Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const RunResult* run : page.study.measured()) {
     const std::string front = key({"front", run->study.name});
-    std::vector<std::string> row{"<code>" + page.values.text(key({"runs", run->study.name, "name"})) +
-                                 "</code>"};
+    std::vector<std::string> row{
+        "<code>" + page.values.text(key({"runs", run->study.name, "name"})) + "</code>"};
     for (const auto& [level, value] : levels.items()) {
       std::string cell = page.values.number(front + "/arrival_T/" + level, 3);
       const std::string difference = front + "/arrival_T_difference/" + level;
@@ -138,7 +140,8 @@ void measure_runs(const StudyResult& study, json& metrics) {
 
 std::string write_runs(const Page& page) {
   return status_table(page) + accuracy_table(page) + arrival_table(page) + cost_table(page) +
-         "<p>RMS, maximum and bias are of the difference run minus reference inside the window that "
+         "<p>RMS, maximum and bias are of the difference run minus reference inside the window "
+         "that "
          "both share: it ends where either front comes within " +
          page.values.number("/definition/wall_distance_L", 2) +
          " L of the far wall. The leading edge is the farthest water connected to the main body in "

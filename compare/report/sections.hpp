@@ -15,8 +15,8 @@ namespace surge::compare {
 struct Page {
   const StudyResult& study;
   Values values;
-  const std::vector<Figure>& figures;      ///< drawn already
-  std::filesystem::path figure_folder;     ///< where their files lie
+  const std::vector<Figure>& figures;   ///< drawn already
+  std::filesystem::path figure_folder;  ///< where their files lie
 };
 
 /// A part of the report. First every section adds its numbers to the metrics (what metrics() of

@@ -41,9 +41,9 @@ bool is_finished(const Run& run) {
 /// Throws Error where the two runs computed different cases or share no time.
 void require_comparable(const MeasuredRun& run, const MeasuredRun& reference,
                         const WallRule& wall) {
-  require_same_physics(compare_physics(run.run.physics, run.run.name, reference.run.physics,
-                                       reference.run.name),
-                       {});
+  require_same_physics(
+      compare_physics(run.run.physics, run.run.name, reference.run.physics, reference.run.name),
+      {});
   static_cast<void>(common_window(run.front, reference.front, wall));
 }
 
@@ -88,10 +88,14 @@ std::optional<MeasuredRun> collect_run(RunResult& result, const fs::path& folder
 
 std::string status_text(RunStatus status) {
   switch (status) {
-    case RunStatus::complete: return "complete";
-    case RunStatus::unfinished: return "unfinished";
-    case RunStatus::unusable: return "unusable";
-    case RunStatus::missing: return "missing";
+    case RunStatus::complete:
+      return "complete";
+    case RunStatus::unfinished:
+      return "unfinished";
+    case RunStatus::unusable:
+      return "unusable";
+    case RunStatus::missing:
+      return "missing";
   }
   return "unknown";
 }
@@ -126,7 +130,9 @@ std::vector<const RunResult*> StudyResult::measured() const {
   return result;
 }
 
-WallRule StudyResult::wall() const { return wall_of(reference_run().run.physics); }
+WallRule StudyResult::wall() const {
+  return wall_of(reference_run().run.physics);
+}
 
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
   StudyResult result{study, {}, {}, {}};
@@ -136,8 +142,8 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
   const FrontOptions options = result.front_options();
   // Results point into this vector, which therefore must not grow beyond what it holds now.
   result.measured_runs.reserve(study.runs.size());
-  const MeasuredRun& reference = result.measured_runs.emplace_back(
-      measure_reference(study, runs / study.reference, options));
+  const MeasuredRun& reference =
+      result.measured_runs.emplace_back(measure_reference(study, runs / study.reference, options));
   for (const auto& run : study.runs) {
     RunResult entry{run, RunStatus::missing, "", nullptr};
     if (run.name == study.reference) {

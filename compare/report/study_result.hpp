@@ -35,8 +35,8 @@ struct RunResult {
 /// Everything that figures and report sections are made from.
 struct StudyResult {
   Study study;
-  std::vector<RunResult> runs;              ///< in the study's order, none left out
-  std::vector<MeasuredRun> measured_runs;   ///< those that could be; the reference is the first
+  std::vector<RunResult> runs;             ///< in the study's order, none left out
+  std::vector<MeasuredRun> measured_runs;  ///< those that could be; the reference is the first
   std::vector<PublishedSeries> published;
 
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }

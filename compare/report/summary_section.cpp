@@ -44,8 +44,8 @@ std::string accuracy_sentence(const Page& page, const std::string& method) {
   }
   const Values& v = page.values;
   return v.text(at + "/label") + " stays within RMS " + v.number(at + "/rms", 3) + " (maximum " +
-         v.number(at + "/max", 3) + ", bias " + v.signed_number(at + "/bias", 3) +
-         ") of " + v.text("/summary/reference_label") + " in Z/L before the far wall.";
+         v.number(at + "/max", 3) + ", bias " + v.signed_number(at + "/bias", 3) + ") of " +
+         v.text("/summary/reference_label") + " in Z/L before the far wall.";
 }
 
 std::string verdict_sentence(const Page& page) {
@@ -57,8 +57,9 @@ std::string verdict_sentence(const Page& page) {
   const bool mps = v.at("/summary/nearer") == "MPS";
   return v.text("/summary/nearer") + " is the nearer of the two to " +
          v.text("/summary/reference_label") + ", its RMS difference is " +
-         v.number("/summary/rms_ratio", 2) + " times that of the other: the paper’s finding, that MPS " +
-         "is the more accurate, is " + (mps ? "" : "not ") + "reproduced by these runs.";
+         v.number("/summary/rms_ratio", 2) +
+         " times that of the other: the paper’s finding, that MPS " + "is the more accurate, is " +
+         (mps ? "" : "not ") + "reproduced by these runs.";
 }
 
 std::string cost_sentence(const Page& page) {
@@ -66,14 +67,14 @@ std::string cost_sentence(const Page& page) {
   std::string text;
   const auto add = [&](const std::string& label, const std::string& seconds) {
     if (!v.has(seconds)) return;
-    text += (text.empty() ? "" : ", ") + v.text(label) + " " + v.magnitude(seconds) + " s";
+    text += (text.empty() ? "" : ", ") + v.magnitude(seconds) + " s for " + v.text(label);
   };
   for (const char* method : {"mps", "sph"}) {
     const std::string at = std::string("/summary/methods/") + method;
     if (v.has(at)) add(at + "/label", at + "/wall_s");
   }
   add("/summary/reference_label", "/summary/reference_wall_s");
-  return text.empty() ? "No run states its cost." : "Wall time: " + text + ".";
+  return text.empty() ? "No run states its cost." : "Wall time of the whole run: " + text + ".";
 }
 
 std::string machine_sentence(const Page& page) {
@@ -94,7 +95,8 @@ void measure_summary(const StudyResult& study, json& metrics) {
   metrics["study"] = {{"title", study.study.title},
                       {"reference", study.study.reference},
                       {"strip_height_m", study.study.strip_height.value()}};
-  for (Seconds t : study.study.snapshot_times) metrics["study"]["snapshot_times_s"].push_back(t.value());
+  for (Seconds t : study.study.snapshot_times)
+    metrics["study"]["snapshot_times_s"].push_back(t.value());
   out["against"] = against;
   out["reference_label"] = study.reference().label();
   const json& timing = metrics["timing"][study.study.reference];

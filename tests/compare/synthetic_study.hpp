@@ -1,0 +1,83 @@
+#pragma once
+
+#include "compare/report/study_result.hpp"
+#include "synthetic.hpp"
+
+namespace surge::compare::testing {
+
+/// A study on the disk whose answers are known: the reference's front moves at 2 m/s, MPS leads it
+/// by 0.02 L and SPH lags by 0.05 L at all times after the start. The published series is the
+/// reference, 0.2 late in T.
+class SyntheticStudy {
+ public:
+  static constexpr double length = 0.145;
+
+  SyntheticStudy() {
+    write("vof-20", "vof", 0.0);
+    write("mps-a", "mps", 0.02 * length);
+    write("sph-a", "sph", -0.05 * length);
+    write_text(folder_ / "reference/late.csv", late_series());
+    write_text(folder_ / "studies/study.toml", text("Dam <b>break</b> & \"more\""));
+  }
+
+  void write(const std::string& name, const std::string& method, double lead,
+             bool finished = true) const {
+    nlohmann::json manifest = dam_break_manifest();
+    manifest["finished"] = finished;
+    manifest["case"]["method"]["name"] = method;
+    if (method == "sph") {
+      manifest["case"]["method"]["parameters"] = {
+          {"gamma", 7.0}, {"density_diffusion", 0.1}, {"h_over_l0", 1.2}, {"brand_new", "x<y"}};
+    }
+    std::vector<double> times;
+    const double end = finished ? 0.2 : 0.1;
+    for (double t = 0.0; t <= end + 1e-9; t += 0.01) times.push_back(t);
+    write_run(
+        folder_ / ("runs/" + name), times,
+        [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); },
+        manifest);
+  }
+
+  [[nodiscard]] std::filesystem::path study() const { return folder_ / "studies/study.toml"; }
+  [[nodiscard]] std::filesystem::path runs() const { return folder_ / "runs"; }
+  [[nodiscard]] std::filesystem::path out() const { return folder_ / "report"; }
+  [[nodiscard]] std::filesystem::path series() const { return folder_ / "reference"; }
+  [[nodiscard]] StudyResult collected() const {
+    return collect(read_study(study()), runs(), series());
+  }
+
+ private:
+  static std::string text(const std::string& title) {
+    const auto run = [](const std::string& name) {
+      return "[[run]]\nname = \"" + name +
+             "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nset = []\nthreads = 1\n";
+    };
+    return "title = '" + title +
+           "'\nreference = \"vof-20\"\nstrip_height = 0.015\nsnapshot_times = [0.05, 0.15]\n"
+           "published = [\"late\"]\n" +
+           run("mps-a") + run("sph-a") + run("vof-20");
+  }
+
+  static std::string late_series() {
+    std::string csv =
+        "# label: Late series\n# citation: Nobody 1900 <made up>\n# column: none\n"
+        "# kind: experiment\n# time_uncertainty: 0.1\n# position_uncertainty: 0.15\n"
+        "T,Z_over_L\n";
+    const Scales scales = dam_break().scales();
+    for (double t : {0.02, 0.06, 0.1, 0.14}) {
+      csv += std::to_string(scales.dimensionless(Seconds(t)).value() + 0.2) + "," +
+             std::to_string((length + 2.0 * t + 0.0001) / length) + "\n";
+    }
+    return csv;
+  }
+
+  TemporaryFolder folder_;
+};
+
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in) << file;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace surge::compare::testing
