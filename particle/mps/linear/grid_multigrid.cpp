@@ -254,7 +254,8 @@ template <int D>
 void GridMultigrid<D>::solve_coarsest() {
   GridLevel<D>& level = levels_[static_cast<std::size_t>(count_ - 1)];
   const std::size_t n = level.diagonal.size();
-  Field x(level.rhs.begin(), level.rhs.end());
+  Field& x = coarsest_solution_;
+  x.assign(level.rhs.begin(), level.rhs.end());
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < i; ++k) x[i] -= factor_[i * n + k] * x[k];
     x[i] /= factor_[i * n + i];

@@ -29,6 +29,7 @@ class GridMultigrid {
   std::vector<GridLevel<D>> levels_ = std::vector<GridLevel<D>>(1);
   int count_ = 1;
   Field factor_;  // dense Cholesky factor of the coarsest level, row by row
+  Field coarsest_solution_;
 };
 
 }  // namespace surge::mps
