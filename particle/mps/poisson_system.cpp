@@ -2,21 +2,17 @@
 
 #include <cmath>
 
+#include "particle/mps/linear/block_sum.hpp"
+
 namespace surge::mps {
 
 void multiply(const PoissonSystem& system, const Field& x, Field& y) {
   const auto n = static_cast<std::int32_t>(system.size());
   y.resize(system.size());
-  const std::int32_t* start = system.row_start.data();
-  const std::int32_t* column = system.column.data();
-  const double* value = system.value.data();
 #pragma omp parallel for schedule(static)
   for (std::int32_t i = 0; i < n; ++i) {
-    double sum = system.diagonal[static_cast<std::size_t>(i)] * x[static_cast<std::size_t>(i)];
-    for (std::int32_t k = start[i]; k < start[i + 1]; ++k) {
-      sum += value[k] * x[static_cast<std::size_t>(column[k])];
-    }
-    y[static_cast<std::size_t>(i)] = sum;
+    const auto at = static_cast<std::size_t>(i);
+    y[at] = row_product(system, x, at);
   }
 }
 
@@ -38,15 +34,17 @@ void compute_excess(const PoissonSystem& system, Field& excess) {
 }
 
 double relative_residual(const PoissonSystem& system, const Field& p) {
-  Field product;
-  multiply(system, p, product);
-  double residual = 0.0;
+  BlockSum block_sum;
+  const double residual = block_sum(system.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double r = system.rhs[i] - row_product(system, p, i);
+      sum += r * r;
+    }
+    return sum;
+  });
   double rhs = 0.0;
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    const double r = system.rhs[i] - product[i];
-    residual += r * r;
-    rhs += system.rhs[i] * system.rhs[i];
-  }
+  for (const double b : system.rhs) rhs += b * b;
   return std::sqrt(rhs > 0.0 ? residual / rhs : residual);
 }
 

@@ -29,6 +29,16 @@ struct PoissonSystem {
   [[nodiscard]] std::size_t size() const { return diagonal.size(); }
 };
 
+/// Row i of A x.
+inline double row_product(const PoissonSystem& system, const Field& x, std::size_t i) {
+  double sum = system.diagonal[i] * x[i];
+  const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
+  for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
+    sum += system.value[k] * x[static_cast<std::size_t>(system.column[k])];
+  }
+  return sum;
+}
+
 /// y = A x.
 void multiply(const PoissonSystem& system, const Field& x, Field& y);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "particle/mps/linear/block_sum.hpp"
-#include "particle/mps/linear/grid_level.hpp"
+#include "particle/mps/linear/grid_multigrid.hpp"
 #include "particle/mps/poisson_system.hpp"
 
 namespace surge::mps {
