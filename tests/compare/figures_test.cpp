@@ -81,7 +81,7 @@ TEST(WaterPicture, MeshSurfaceLiesWhereHalfTheCellIsWater) {
   pressure->SetName("p");
   for (std::size_t i = 0; i < frame.alpha.size(); ++i) pressure->InsertNextValue(1422.45);
   frame.grid->GetCellData()->AddArray(pressure);
-  Run run;
+  compare::Run run;
   run.physics = testing::dam_break();
   const WaterPicture picture = water_picture(frame, run);
   ASSERT_FALSE(picture.surface.empty());
@@ -97,7 +97,7 @@ TEST(WaterPicture, MeshSurfaceLiesWhereHalfTheCellIsWater) {
 
 TEST(WaterPicture, WithoutPressureIsAnError) {
   const MeshFrame frame = testing::box_mesh({1, 1, 1}, {2, 2, 1}, [](const Vec3&) { return 1.0; });
-  Run run;
+  compare::Run run;
   run.path = "somewhere";
   run.physics = testing::dam_break();
   EXPECT_THAT(error_of([&] { static_cast<void>(water_picture(frame, run)); }),
