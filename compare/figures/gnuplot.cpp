@@ -119,12 +119,7 @@ std::string plot_string(const std::string& text) {
 }
 
 std::string plot_label(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
-    result += c;
-  }
-  return plot_string(result);
+  return plot_string(text) + " noenhanced";
 }
 
 }  // namespace surge::compare
