@@ -119,7 +119,7 @@ TEST(Draw, LabelsAreShownAsTheyAre) {
   figure.name = "label";
   figure.script = "set label 1 " + plot_label("a_b^{c} \"d\" @e <f>") + " at 0,0\nplot [-1:1] x\n";
   EXPECT_EQ(draw(figure, folder.path()), "");
-  EXPECT_THAT(read_text(folder / "label.svg"), HasSubstr("a_b^{c} \"d\" @e &lt;f&gt;"));
+  EXPECT_THAT(read_text(folder / "label.svg"), HasSubstr("a_b^{c} \"d\" @e &lt;f>"));
   expect_drawn(folder.path(), "label");
 }
 
