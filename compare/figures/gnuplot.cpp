@@ -35,7 +35,7 @@ std::string preamble(const Figure& figure) {
       << pixels(figure.height_mm) << " font \"sans-serif,9.3\" background rgb \"white\" name \""
       << figure.name << "\" } else { set terminal pdfcairo enhanced color size "
       << cm(figure.width_mm) << ',' << cm(figure.height_mm)
-      << " font \"Sans,7\" linewidth 0.75 fontscale 0.75 }\n"
+      << " font \"Sans,7\" linewidth 1.8 fontscale 0.75 }\n"
       << "set output \"" << figure.name << ".\".kind\n"
       << R"(set encoding utf8
 set datafile separator comma
@@ -119,12 +119,7 @@ std::string plot_string(const std::string& text) {
 }
 
 std::string plot_label(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    if (std::strchr("_^{}@&~\\", c) != nullptr) result += '\\';
-    result += c;
-  }
-  return plot_string(result);
+  return plot_string(text) + " noenhanced";
 }
 
 }  // namespace surge::compare

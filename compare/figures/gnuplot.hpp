@@ -33,7 +33,7 @@ struct Figure {
 
 /// Text as a gnuplot string in double quotes, characters as they are.
 [[nodiscard]] std::string plot_string(const std::string& text);
-/// The same, with the special characters of enhanced mode disarmed: for labels and titles.
+/// The same for `set label`, whose text would otherwise be read as markup.
 [[nodiscard]] std::string plot_label(const std::string& text);
 
 }  // namespace surge::compare

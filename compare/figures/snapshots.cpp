@@ -26,7 +26,7 @@ struct Row {
 
 /// Layout in mm; the origin is the figure's upper left corner.
 struct Layout {
-  double left = 12.0, right = 3.0, top = 7.0, bottom = 26.0, column_gap = 2.5, row_gap = 6.0;
+  double left = 12.0, right = 3.0, top = 7.0, bottom = 26.0, column_gap = 3.5, row_gap = 6.0;
   double x_span = 4.0;  ///< of every panel, over L
   double panel_width = 0.0;
   double height = 0.0;  ///< of the whole figure
@@ -113,7 +113,7 @@ std::string panel_plot(const Panel& panel, const std::string& image, double pixe
             plot_string(panel.run->study.name) + " && abs(column(2) - " +
             plot_number(panel.time.value()) +
             ") < 1e-9 ? column(3) : NaN):4:(column(5)-column(3)):(column(6)-column(4)) "
-            "with vectors nohead lw 0.6 lc rgb \"#d55e00\" notitle";
+            "with vectors nohead lw 0.9 lc rgb \"#d55e00\" notitle";
   }
   return plot + "\n";
 }

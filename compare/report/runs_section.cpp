@@ -18,11 +18,12 @@ json steps_per_second(const json& timing) {
 
 json wall_per_simulated_second(const json& timing, const RunResult& run) {
   const auto last = run.last_time();
-  if (!last || last->value() <= 0.0 || !timing.contains("wall_s") ||
-      !timing["wall_s"].is_number()) {
+  const json wall = timing.value("wall_s", json());
+  // A run that was killed may have left a manifest from its start, with no time in it.
+  if (!last || last->value() <= 0.0 || !wall.is_number() || wall.get<double>() <= 0.0) {
     return nullptr;
   }
-  return timing["wall_s"].get<double>() / last->value();
+  return wall.get<double>() / last->value();
 }
 
 std::string shown(const Page& page, const std::string& pointer,
@@ -42,6 +43,17 @@ std::string status_cell(const Page& page, const RunResult& run) {
   return html;
 }
 
+/// The run's name; one that is not complete is marked wherever its numbers stand.
+std::string name_cell(const Page& page, const RunResult& run) {
+  const std::string pointer = key({"runs", run.study.name});
+  std::string html = "<code>" + page.values.text(pointer + "/name") + "</code>";
+  if (run.status == RunStatus::unfinished) {
+    html +=
+        " <span class=\"status-unfinished\">" + page.values.text(pointer + "/status") + "</span>";
+  }
+  return html;
+}
+
 std::string status_table(const Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& run : page.study.runs) {
@@ -58,8 +70,7 @@ std::string accuracy_table(const Page& page) {
   const std::string against = values.at("/summary/against").get<std::string>();
   std::vector<std::vector<std::string>> rows;
   for (const auto& run : page.study.runs) {
-    const std::string name =
-        "<code>" + values.text(key({"runs", run.study.name, "name"})) + "</code>";
+    const std::string name = name_cell(page, run);
     if (run.measured == nullptr) {
       rows.push_back({name, status_cell(page, run), "–", "–", "–", "–", "–"});
       continue;
@@ -84,8 +95,7 @@ std::string arrival_table(const Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const RunResult* run : page.study.measured()) {
     const std::string front = key({"front", run->study.name});
-    std::vector<std::string> row{
-        "<code>" + page.values.text(key({"runs", run->study.name, "name"})) + "</code>"};
+    std::vector<std::string> row{name_cell(page, *run)};
     for (const auto& [level, value] : levels.items()) {
       std::string cell = page.values.number(front + "/arrival_T/" + level, 3);
       const std::string difference = front + "/arrival_T_difference/" + level;
@@ -104,7 +114,7 @@ std::string cost_table(const Page& page) {
   for (const RunResult* run : page.study.measured()) {
     const std::string timing = key({"timing", run->study.name});
     const bool particles = page.values.has(timing + "/particles");
-    rows.push_back({"<code>" + page.values.text(key({"runs", run->study.name, "name"})) + "</code>",
+    rows.push_back({name_cell(page, *run),
                     shown(page, timing + (particles ? "/particles" : "/cells"), 0),
                     shown(page, timing + "/steps", 0), shown(page, timing + "/threads", 0),
                     shown(page, timing + "/wall_s", &Values::magnitude),

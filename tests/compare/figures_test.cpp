@@ -117,9 +117,9 @@ TEST(Draw, LabelsAreShownAsTheyAre) {
   const TemporaryFolder folder;
   Figure figure;
   figure.name = "label";
-  figure.script = "set label 1 " + plot_label("a_b^{c} \"d\" @e") + " at 0,0\nplot [-1:1] x\n";
+  figure.script = "set label 1 " + plot_label("a_b^{c} \"d\" @e <f>") + " at 0,0\nplot [-1:1] x\n";
   EXPECT_EQ(draw(figure, folder.path()), "");
-  EXPECT_THAT(read_text(folder / "label.svg"), HasSubstr("a_b^{c} &quot;d&quot; @e"));
+  EXPECT_THAT(read_text(folder / "label.svg"), HasSubstr("a_b^{c} \"d\" @e &lt;f>"));
   expect_drawn(folder.path(), "label");
 }
 

@@ -30,7 +30,7 @@ class SyntheticStudy {
           {"gamma", 7.0}, {"density_diffusion", 0.1}, {"h_over_l0", 1.2}, {"brand_new", "x<y"}};
     }
     std::vector<double> times;
-    const double end = finished ? 0.2 : 0.1;
+    const double end = finished ? 0.22 : 0.1;
     for (double t = 0.0; t <= end + 1e-9; t += 0.01) times.push_back(t);
     write_run(
         folder_ / ("runs/" + name), times,
