@@ -120,8 +120,7 @@ int run_program(int argc, char** argv) {
   run_command->add_option("--out", arguments.run.folder, "folder of the run")
       ->required()
       ->type_name("DIR");
-  run_command
-      ->add_option("--threads", arguments.run.threads, "number of threads; 1 by default")
+  run_command->add_option("--threads", arguments.run.threads, "number of threads; 1 by default")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   CLI::App* check_command =

@@ -32,9 +32,9 @@ inline constexpr std::array enum_names<mps::Lambda>{Named{"paper", mps::Lambda::
                                                     Named{"analytic", mps::Lambda::analytic},
                                                     Named{"lattice", mps::Lambda::lattice}};
 template <>
-inline constexpr std::array enum_names<mps::PpeSolver>{Named{"iccg", mps::PpeSolver::iccg},
-                                                       Named{"cholmod", mps::PpeSolver::cholmod},
-                                                       Named{"multigrid", mps::PpeSolver::multigrid}};
+inline constexpr std::array enum_names<mps::PpeSolver>{
+    Named{"iccg", mps::PpeSolver::iccg}, Named{"cholmod", mps::PpeSolver::cholmod},
+    Named{"multigrid", mps::PpeSolver::multigrid}};
 template <>
 inline constexpr std::array enum_names<mps::NegativePressure>{
     Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip}};

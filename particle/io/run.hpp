@@ -11,7 +11,7 @@ namespace surge {
 struct RunOptions {
   std::filesystem::path folder;  ///< of the run; made, or taken over from an older run
   int threads = 1;
-  bool terminal = false;         ///< whether `out` redraws lines
+  bool terminal = false;  ///< whether `out` redraws lines
 };
 
 /// Computes a case and writes the folder of the run: manifest.json (at the start with

@@ -1,14 +1,15 @@
 #include "particle/support/toml.hpp"
 
 #include <toml++/toml.h>
+
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
+
+#include "particle/support/spelling.hpp"
 
 namespace surge {
 
@@ -22,40 +23,6 @@ std::string list_text(const auto& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
   return text;
-}
-
-/// Number of edits between two words: a letter put in, left out or replaced, or two neighbouring
-/// letters exchanged (optimal string alignment).
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  std::vector<std::size_t> before = row;
-  std::vector<std::size_t> two_before = row;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    two_before = std::exchange(before, row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      row[j] = std::min({before[j] + 1, row[j - 1] + 1, replaced});
-      const bool exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (exchanged) row[j] = std::min(row[j], two_before[j - 2] + 1);
-    }
-  }
-  return row.back();
-}
-
-/// The candidate that `word` is most likely a misspelling of; empty where none is near.
-std::string nearest(std::string_view word, const auto& candidates) {
-  std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
-    if (distance < least && distance < std::max(word.size(), candidate.size())) {
-      least = distance;
-      best = candidate;
-    }
-  }
-  return best;
 }
 
 std::string describe(const toml::node& node) {
@@ -104,32 +71,6 @@ toml::table override_value(const std::string& text) {
 }
 
 }  // namespace
-
-std::string number_text(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  return {buffer.data(), end};
-}
-
-bool Bounds::contain(double value) const {
-  const bool above = lower_excluded ? value > lower : value >= lower;
-  const bool below = upper_excluded ? value < upper : value <= upper;
-  return std::isfinite(value) && above && below;
-}
-
-std::string Bounds::text() const {
-  if (std::isfinite(lower) && std::isfinite(upper)) {
-    const char* ends = lower_excluded && upper_excluded ? ", both excluded"
-                       : lower_excluded                 ? ", the first excluded"
-                       : upper_excluded                 ? ", the second excluded"
-                                                        : "";
-    return "between " + number_text(lower) + " and " + number_text(upper) + ends;
-  }
-  if (std::isfinite(lower))
-    return (lower_excluded ? "above " : "of at least ") + number_text(lower);
-  if (std::isfinite(upper)) return (upper_excluded ? "below " : "of at most ") + number_text(upper);
-  return "";
-}
 
 struct TomlTable::Document {
   std::string source;
