@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <omp.h>
+
+#include <cmath>
+#include <map>
+
+#include "particle/mps/number_density.hpp"
+#include "particle/mps/solver.hpp"
+
+namespace surge::mps {
+namespace {
+
+Case small_dam(Search search = Search::cell_grid) {
+  Case c;
+  c.has_tank = true;
+  c.tank.box = {{0.0, 0.0, 0.0}, {0.4, 0.4, 0.0}};
+  c.tank.open[3] = true;
+  FluidBlock block;
+  block.box = {{0.0, 0.0, 0.0}, {0.1, 0.2, 0.0}};
+  c.blocks = {block};
+  c.spacing = 0.01;
+  c.search = search;
+  Params p;
+  p.ppe_tolerance = 1e-10;
+  c.method = p;
+  return c;
+}
+
+std::map<int, std::array<double, 2>> positions(const Solver<2>& solver) {
+  std::map<int, std::array<double, 2>> result;
+  const auto& p = solver.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) result[p.id[i]] = p.position(i);
+  return result;
+}
+
+double largest_difference(const Solver<2>& a, const Solver<2>& b) {
+  const auto x = positions(a);
+  const auto y = positions(b);
+  double largest = 0.0;
+  for (const auto& [id, point] : x)
+    for (std::size_t k = 0; k < 2; ++k) largest = std::max(largest, std::abs(point[k] - y.at(id)[k]));
+  return largest;
+}
+
+TEST(MpsSolver, NumberDensityOfInnerParticlesIsTheReference) {
+  const Solver<2> solver(small_dam());
+  const auto& p = solver.particles();
+  long inner = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const bool near_surface = p.x[0][i] > 0.1 - 0.025 || p.x[1][i] > 0.2 - 0.025;
+    if (p.type[i] != ParticleType::fluid || near_surface) continue;
+    ++inner;
+    // Three wall layers keep the density of the fluid next to a wall at n0.
+    EXPECT_NEAR(p.density[i], reference_number_density<2>(2.1), 1e-9);
+  }
+  EXPECT_GT(inner, 100);
+}
+
+TEST(MpsSolver, FreeFallIsExact) {
+  Case c = small_dam();
+  c.has_tank = false;
+  Solver<2> solver(c);
+  const auto start = positions(solver);
+  double t = 0.0;
+  double drop = 0.0;
+  double v = 0.0;
+  for (int k = 0; k < 20; ++k) {
+    const StepReport report = solver.step(1.0);
+    v += 9.81 * report.dt;
+    drop += v * report.dt;
+    t += report.dt;
+  }
+  EXPECT_DOUBLE_EQ(t, solver.time());
+  for (const auto& [id, x] : positions(solver)) {
+    EXPECT_NEAR(x[0], start.at(id)[0], 1e-9);
+    EXPECT_NEAR(x[1], start.at(id)[1] - drop, 1e-9);
+  }
+}
+
+TEST(MpsSolver, SearchesAgree) {
+  Solver<2> cells(small_dam(Search::cell_grid));
+  Solver<2> pairs(small_dam(Search::all_pairs));
+  for (int k = 0; k < 20; ++k) {
+    cells.step(1.0);
+    pairs.step(1.0);
+  }
+  EXPECT_LT(largest_difference(cells, pairs), 1e-9);
+}
+
+TEST(MpsSolver, PressureSolversAgree) {
+  Case c = small_dam();
+  Solver<2> first(c);
+  std::get<Params>(c.method).ppe_solver = PpeSolver::cholmod;
+  Solver<2> second(c);
+  std::get<Params>(c.method).ppe_solver = PpeSolver::iccg;
+  Solver<2> third(c);
+  for (int k = 0; k < 20; ++k) {
+    first.step(1.0);
+    second.step(1.0);
+    third.step(1.0);
+  }
+  EXPECT_LT(largest_difference(first, second), 1e-8);
+  EXPECT_LT(largest_difference(third, second), 1e-8);
+}
+
+TEST(MpsSolver, TheNumberOfThreadsDoesNotMatter) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  Solver<2> one(small_dam());
+  for (int k = 0; k < 30; ++k) one.step(1.0);
+  omp_set_num_threads(3);
+  Solver<2> three(small_dam());
+  for (int k = 0; k < 30; ++k) three.step(1.0);
+  omp_set_num_threads(before);
+  EXPECT_LT(largest_difference(one, three), 1e-9);
+}
+
+TEST(MpsSolver, RunsInThreeDimensions) {
+  Case c = small_dam();
+  c.dimension = 3;
+  c.tank.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.06}};
+  c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.1, 0.1, 0.06}};
+  Solver<3> solver(c);
+  StepReport report;
+  for (int k = 0; k < 30; ++k) report = solver.step(1.0);
+  EXPECT_EQ(report.lost, 0);
+  EXPECT_GT(report.v_max, 0.01);
+  EXPECT_LT(report.v_max, 2.0);
+  EXPECT_LE(report.ppe_residual, 1e-10);
+}
+
+}  // namespace
+}  // namespace surge::mps

@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <omp.h>
+
+#include <cmath>
+#include <map>
+
+#include "particle/sph/solver.hpp"
+
+namespace surge::sph {
+namespace {
+
+/// A square of fluid at rest far from walls, without gravity, that has been given a velocity field.
+Case free_block(double l0, double shear) {
+  Case c;
+  c.gravity = {0.0, 0.0, 0.0};
+  FluidBlock block;
+  block.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.0}};
+  block.velocity = {0.3, -0.1, 0.0};
+  block.velocity_gradient[0][1] = shear;
+  block.velocity_gradient[1][0] = 0.5 * shear;
+  c.blocks = {block};
+  c.spacing = l0;
+  Params p;
+  p.acoustic_courant = 0.25;
+  c.method = p;
+  return c;
+}
+
+Case small_dam(Search search = Search::cell_grid) {
+  Case c;
+  c.has_tank = true;
+  c.tank.box = {{0.0, 0.0, 0.0}, {0.4, 0.4, 0.0}};
+  c.tank.open[3] = true;
+  FluidBlock block;
+  block.box = {{0.0, 0.0, 0.0}, {0.1, 0.2, 0.0}};
+  c.blocks = {block};
+  c.spacing = 0.01;
+  c.search = search;
+  Params p;
+  p.acoustic_courant = 0.25;
+  p.negative_pressure = NegativePressure::clip;
+  c.method = p;
+  return c;
+}
+
+template <class S>
+std::array<double, 2> momentum(const S& solver) {
+  const auto& p = solver.particles();
+  std::array<double, 2> sum{};
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += solver.particle_mass() * p.v[a][i];
+  return sum;
+}
+
+/// Positions by id.
+template <class S>
+std::map<int, std::array<double, 2>> positions(const S& solver) {
+  std::map<int, std::array<double, 2>> result;
+  const auto& p = solver.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) result[p.id[i]] = p.position(i);
+  return result;
+}
+
+template <class S>
+double largest_difference(const S& a, const S& b) {
+  const auto x = positions(a);
+  const auto y = positions(b);
+  double largest = 0.0;
+  for (const auto& [id, point] : x)
+    for (std::size_t k = 0; k < 2; ++k) largest = std::max(largest, std::abs(point[k] - y.at(id)[k]));
+  return largest;
+}
+
+TEST(SphSolver, ConservesMomentumWithoutWalls) {
+  Solver<2> solver(free_block(0.01, 4.0));
+  const auto before = momentum(solver);
+  for (int k = 0; k < 100; ++k) solver.step(1.0);
+  const auto after = momentum(solver);
+  EXPECT_NEAR(after[0], before[0], 1e-11);
+  EXPECT_NEAR(after[1], before[1], 1e-11);
+  EXPECT_NEAR(before[0], 0.3 * 1000.0 * 0.04, 1e-9) << "the mass is that of the block";
+}
+
+TEST(SphSolver, ParticlesStartOnTheLatticeOfTheCase) {
+  const Solver<2> solver(small_dam());
+  const auto& p = solver.particles();
+  long fluid = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.type[i] != ParticleType::fluid) continue;
+    ++fluid;
+    EXPECT_NEAR(p.pressure[i], 1000.0 * 9.81 * (0.2 - p.x[1][i]), 1e-6) << "Eq. (26)";
+  }
+  EXPECT_EQ(fluid, 200);
+}
+
+// Second order: halving the step divides the difference to a run with a much shorter step by four.
+TEST(SphSolver, LeapFrogIsOfSecondOrder) {
+  const auto end = [](double dt) {
+    Case c = free_block(0.02, 3.0);
+    // XSPH and a smooth equation of state stay on; clipping and collisions have no order.
+    c.time.initial_step = dt;
+    Solver<2> solver(c);
+    const long steps = std::lround(0.02 / dt);
+    for (long k = 0; k < steps; ++k) solver.step(dt);
+    return positions(solver);
+  };
+  const auto difference = [](const auto& a, const auto& b) {
+    double sum = 0.0;
+    for (const auto& [id, x] : a)
+      for (std::size_t k = 0; k < 2; ++k) sum += std::pow(x[k] - b.at(id)[k], 2);
+    return std::sqrt(sum);
+  };
+  const auto reference = end(3.125e-6);
+  const double coarse = difference(end(1e-4), reference);
+  const double fine = difference(end(5e-5), reference);
+  EXPECT_GT(std::log2(coarse / fine), 1.8) << coarse << ' ' << fine;
+  EXPECT_LT(std::log2(coarse / fine), 2.3);
+}
+
+TEST(SphSolver, AllPairsAndCellGridAgree) {
+  Solver<2> cells(small_dam(Search::cell_grid));
+  Solver<2> pairs(small_dam(Search::all_pairs));
+  for (int k = 0; k < 30; ++k) {
+    cells.step(1.0);
+    pairs.step(1.0);
+  }
+  EXPECT_DOUBLE_EQ(cells.time(), pairs.time());
+  // The sums are taken in another order: rounding, grown a little in 30 steps.
+  EXPECT_LT(largest_difference(cells, pairs), 1e-12);
+}
+
+TEST(SphSolver, TheNumberOfThreadsDoesNotMatter) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  Solver<2> one(small_dam());
+  for (int k = 0; k < 50; ++k) one.step(1.0);
+  omp_set_num_threads(3);
+  Solver<2> three(small_dam());
+  for (int k = 0; k < 50; ++k) three.step(1.0);
+  omp_set_num_threads(before);
+  EXPECT_EQ(largest_difference(one, three), 0.0);
+}
+
+TEST(SphSolver, RunsInThreeDimensions) {
+  Case c = small_dam();
+  c.dimension = 3;
+  c.tank.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.06}};
+  c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.1, 0.1, 0.06}};
+  Solver<3> solver(c);
+  StepReport report;
+  for (int k = 0; k < 40; ++k) report = solver.step(1.0);
+  EXPECT_EQ(report.lost, 0);
+  EXPECT_GT(report.v_max, 0.01);
+  EXPECT_LT(report.v_max, 2.0);
+}
+
+TEST(SphSolver, StableStepKeepsBothLimits) {
+  Case c = small_dam();
+  Solver<2> solver(c);
+  EXPECT_LE(solver.stable_step(), c.time.initial_step);
+  solver.step(1.0);
+  const double h = 1.2 * c.spacing;
+  EXPECT_LE(solver.stable_step(), 0.25 * h / solver.sound_speed());
+  for (int k = 0; k < 50; ++k) {
+    const StepReport report = solver.step(1.0);
+    EXPECT_LE(report.courant, 0.2 * 1.1);
+  }
+}
+
+}  // namespace
+}  // namespace surge::sph
