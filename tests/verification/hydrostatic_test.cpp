@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "particle/io/case_file.hpp"
+#include "particle/mps/solver.hpp"
+#include "particle/sph/solver.hpp"
+
+namespace surge {
+namespace {
+
+struct LayerMean {
+  double pressure = 0.0;  ///< Pa, mean over particles and time
+  double depth = 0.0;     ///< m, of the same particles
+  double v_max = 0.0;     ///< m/s, the largest seen
+  long lost = 0;
+};
+
+/// Mean pressure of the fluid between two heights over the second half of the run.
+template <class S>
+LayerMean run_and_average(const Case& c, double lower, double upper, double surface) {
+  S solver(c);
+  LayerMean mean;
+  double weight = 0.0;
+  while (solver.time() < c.time.end) {
+    const StepReport report = solver.step(c.time.end - solver.time());
+    mean.lost += report.lost;
+    if (solver.time() < 0.5 * c.time.end) continue;
+    mean.v_max = std::max(mean.v_max, report.v_max);
+    const auto& p = solver.particles();
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.type[i] != ParticleType::fluid || p.x[1][i] < lower || p.x[1][i] > upper) continue;
+      mean.pressure += report.dt * p.pressure[i];
+      mean.depth += report.dt * (surface - p.x[1][i]);
+      weight += report.dt;
+    }
+  }
+  mean.pressure /= weight;
+  mean.depth /= weight;
+  return mean;
+}
+
+class Hydrostatic : public testing::TestWithParam<std::string> {
+ protected:
+  LayerMean run(double lower, double upper) const {
+    const std::vector<std::string> choices{"method.name=" + GetParam(), "method.preset=paper", "time.end=0.5"};
+    const Case c = read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
+    return GetParam() == "mps" ? run_and_average<mps::Solver<2>>(c, lower, upper, 0.2)
+                               : run_and_average<sph::Solver<2>>(c, lower, upper, 0.2);
+  }
+};
+
+// Exact: p = rho g (H - y). The instantaneous pressure of MPS is noisy; what it must keep is the mean.
+TEST_P(Hydrostatic, TankKeepsItsPressure) {
+  for (const double lower : {0.0, 0.08}) {
+    const LayerMean mean = run(lower, lower + 0.04);
+    EXPECT_NEAR(mean.pressure, 1000.0 * 9.81 * mean.depth, 0.05 * 1000.0 * 9.81 * 0.2) << "above y = " << lower;
+    EXPECT_EQ(mean.lost, 0);
+    // Far below the speed of a collapse, sqrt(2 g H) = 2 m/s.
+    EXPECT_LT(mean.v_max, 1.0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Hydrostatic, testing::Values("mps", "sph"),
+                         [](const auto& parameter) { return parameter.param; });
+
+}  // namespace
+}  // namespace surge
