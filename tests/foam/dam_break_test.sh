@@ -219,7 +219,7 @@ serial, parallel = (
     [float(x) for x in re.search(r"nonuniform.*?\(\n(.*?)\)", open(f).read(), re.S)[1].split()]
     for f in sys.argv[1:]
 )
-assert len(serial) == len(parallel) == 3200
+assert len(serial) == len(parallel) == 3600
 worst = max(abs(a - b) for a, b in zip(serial, parallel))
 print("largest difference of alpha:", worst)
 assert worst < 1e-4
