@@ -30,7 +30,8 @@ void CellGrid<D>::build(std::array<Field, D>& x, double radius, int reach) {
     const double lower = periodicity_.lower[a];
     const double length = periodicity_.length[a];
 #pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t i = 0; i < n; ++i) x[a][i] -= length * std::floor((x[a][i] - lower) / length);
+    for (std::ptrdiff_t i = 0; i < n; ++i)
+      x[a][i] -= length * std::floor((x[a][i] - lower) / length);
   }
   reach_ = reach;
   if (single_cell()) {
@@ -90,7 +91,7 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
 
   // Stable counting sort: each thread counts and later places one stretch of the old order, so the
   // new order does not depend on the number of threads.
-#pragma omp parallel num_threads(static_cast<int>(threads))
+#pragma omp parallel num_threads(static_cast <int>(threads))
   {
     const auto t = static_cast<std::size_t>(omp_get_thread_num());
     const auto team = static_cast<std::size_t>(omp_get_num_threads());
@@ -101,7 +102,8 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
       std::size_t cell = 0;
       for (int a = D - 1; a >= 0; --a) {
         const int k = static_cast<int>((x[a][i] - origin_[a]) * inverse_size_[a]);
-        cell = cell * static_cast<std::size_t>(cells_[a]) + static_cast<std::size_t>(std::clamp(k, 0, cells_[a] - 1));
+        cell = cell * static_cast<std::size_t>(cells_[a]) +
+               static_cast<std::size_t>(std::clamp(k, 0, cells_[a] - 1));
       }
       cell_of_[i] = static_cast<std::uint32_t>(cell);
       ++count[cell];
@@ -120,7 +122,8 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
       }
       cell_begin_[cells] = sum;
     }
-    for (std::size_t i = begin; i < end; ++i) order_[count[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = begin; i < end; ++i)
+      order_[count[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
   }
 }
 

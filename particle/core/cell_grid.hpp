@@ -30,7 +30,8 @@ Periodicity<D> periodicity_of(const Case& c);
 template <int D>
 class CellGrid {
  public:
-  /// A stretch [begin, end) of sorted particles and what to add to their positions (periodic image).
+  /// A stretch [begin, end) of sorted particles and what to add to their positions (periodic
+  /// image).
   struct Segment {
     std::size_t begin;
     std::size_t end;
@@ -67,8 +68,12 @@ class CellGrid {
     reorder(p.id);
   }
 
-  [[nodiscard]] bool single_cell() const { return search_ == Search::all_pairs; }
-  [[nodiscard]] std::size_t cell_count() const { return cell_begin_.size() - 1; }
+  [[nodiscard]] bool single_cell() const {
+    return search_ == Search::all_pairs;
+  }
+  [[nodiscard]] std::size_t cell_count() const {
+    return cell_begin_.size() - 1;
+  }
   [[nodiscard]] std::pair<std::size_t, std::size_t> particles_of(std::size_t cell) const {
     return {cell_begin_[cell], cell_begin_[cell + 1]};
   }
@@ -80,16 +85,22 @@ class CellGrid {
  private:
   template <class T>
   AlignedVector<T>& scratch_for() {
-    if constexpr (std::is_same_v<T, double>) return scratch_double_;
-    else if constexpr (std::is_same_v<T, std::int32_t>) return scratch_int_;
-    else return scratch_type_;
+    if constexpr (std::is_same_v<T, double>)
+      return scratch_double_;
+    else if constexpr (std::is_same_v<T, std::int32_t>)
+      return scratch_int_;
+    else
+      return scratch_type_;
   }
   void choose_cells(const std::array<Field, D>& x, double radius);
   void sort_into_cells(const std::array<Field, D>& x);
   [[nodiscard]] std::array<int, D> cell_indices(std::size_t cell) const;
   template <class F>
-  void segments_of_row(const std::array<int, D>& centre, std::array<int, D> row, Vec<D> shift, F& f) const;
-  [[nodiscard]] bool is_periodic(int axis) const { return periodicity_.length[axis] > 0.0; }
+  void segments_of_row(const std::array<int, D>& centre, std::array<int, D> row, Vec<D> shift,
+                       F& f) const;
+  [[nodiscard]] bool is_periodic(int axis) const {
+    return periodicity_.length[axis] > 0.0;
+  }
 
   Search search_;
   Periodicity<D> periodicity_;
@@ -141,7 +152,8 @@ void CellGrid<D>::for_each_segment(std::size_t cell, F&& f) const {
       row[a] = centre[a] + rest % width - reach_;
       rest /= width;
       while (is_periodic(a) && row[a] < 0) row[a] += cells_[a], shift[a] -= periodicity_.length[a];
-      while (is_periodic(a) && row[a] >= cells_[a]) row[a] -= cells_[a], shift[a] += periodicity_.length[a];
+      while (is_periodic(a) && row[a] >= cells_[a])
+        row[a] -= cells_[a], shift[a] += periodicity_.length[a];
       inside = inside && row[a] >= 0 && row[a] < cells_[a];
     }
     if (inside) segments_of_row(centre, row, shift, f);
@@ -150,8 +162,8 @@ void CellGrid<D>::for_each_segment(std::size_t cell, F&& f) const {
 
 template <int D>
 template <class F>
-void CellGrid<D>::segments_of_row(const std::array<int, D>& centre, std::array<int, D> row, Vec<D> shift,
-                                  F& f) const {
+void CellGrid<D>::segments_of_row(const std::array<int, D>& centre, std::array<int, D> row,
+                                  Vec<D> shift, F& f) const {
   std::size_t base = 0;
   for (int a = D - 1; a > 0; --a)
     base = (base + static_cast<std::size_t>(row[a])) * static_cast<std::size_t>(cells_[a - 1]);

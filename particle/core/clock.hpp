@@ -8,7 +8,8 @@ namespace surge {
 
 /// The parts of a run that the manifest tells apart.
 enum class Phase : std::size_t { setup, neighbours, pressure, forces, output };
-inline constexpr std::array<const char*, 5> phase_names{"setup", "neighbours", "pressure", "forces", "output"};
+inline constexpr std::array<const char*, 5> phase_names{"setup", "neighbours", "pressure", "forces",
+                                                        "output"};
 
 /// Wall-clock seconds per phase.
 class Clock {
@@ -32,7 +33,9 @@ class Clock {
   };
 
   [[nodiscard]] Scope measure(Phase phase) { return Scope(*this, phase); }
-  [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+  [[nodiscard]] double seconds(Phase phase) const {
+    return seconds_[static_cast<std::size_t>(phase)];
+  }
 
  private:
   std::array<double, phase_names.size()> seconds_{};

@@ -36,7 +36,8 @@ void for_each_cell(const std::array<int, D>& lower, const std::array<int, D>& up
 template <int D>
 std::array<int, D> cells_of(const Box& box, double l0) {
   std::array<int, D> n;
-  for (int a = 0; a < D; ++a) n[a] = static_cast<int>(std::lround((box.upper[a] - box.lower[a]) / l0));
+  for (int a = 0; a < D; ++a)
+    n[a] = static_cast<int>(std::lround((box.upper[a] - box.lower[a]) / l0));
   return n;
 }
 
@@ -51,7 +52,8 @@ Point block_velocity(const FluidBlock& block, const Point& x) {
   Point v = block.velocity;
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < 3; ++b)
-      v[a] += block.velocity_gradient[a][b] * (x[b] - 0.5 * (block.box.lower[b] + block.box.upper[b]));
+      v[a] +=
+          block.velocity_gradient[a][b] * (x[b] - 0.5 * (block.box.lower[b] + block.box.upper[b]));
   return v;
 }
 
@@ -85,7 +87,9 @@ void add_block(Particles<D>& p, const FluidBlock& block, double l0) {
   });
 }
 
-ParticleType layer_type(int layer) { return layer == 1 ? ParticleType::wall : ParticleType::dummy; }
+ParticleType layer_type(int layer) {
+  return layer == 1 ? ParticleType::wall : ParticleType::dummy;
+}
 
 template <int D>
 void add_tank(Particles<D>& p, const Tank& tank, double l0, int layers) {
@@ -119,7 +123,9 @@ void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
   });
 }
 
-double length(const Point& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+double length(const Point& v) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
 
 /// Height of a point of the box above the box's lowest point, along -gravity: its extent.
 double extent_along(const Box& box, const Point& direction) {
@@ -180,7 +186,8 @@ double reference_speed(const Case& c) {
     speed = std::max(speed, std::sqrt(2.0 * g * height));
     for (int corner = 0; corner < 8; ++corner) {
       Point x;
-      for (std::size_t a = 0; a < 3; ++a) x[a] = (corner >> a & 1) != 0 ? block.box.upper[a] : block.box.lower[a];
+      for (std::size_t a = 0; a < 3; ++a)
+        x[a] = (corner >> a & 1) != 0 ? block.box.upper[a] : block.box.lower[a];
       speed = std::max(speed, length(block_velocity(block, x)));
     }
   }

@@ -50,7 +50,8 @@ class NeighbourList {
   /// Lists the neighbours within `radius` (m) of every particle i for which wanted(i) holds; the
   /// others get empty lists. The grid must have been built for at least that radius.
   template <class Wanted>
-  void build(const CellGrid<D>& grid, const std::array<Field, D>& x, double radius, Wanted&& wanted) {
+  void build(const CellGrid<D>& grid, const std::array<Field, D>& x, double radius,
+             Wanted&& wanted) {
     const std::size_t n = x[0].size();
     if (number_.size() != n) {
       number_.resize(n);
@@ -64,10 +65,11 @@ class NeighbourList {
     for (int a = 0; a < D; ++a) fields[a] = x[a].data();
     fields[D] = number_.data();
     const double radius2 = radius * radius;
-    pair_loop<D, D + 1>(grid, buffers_, fields, [](std::size_t) { return true; },
-                        [&](std::size_t i, const Tile<D + 1>& tile) {
-                          if (wanted(i)) list_neighbours(i, x, radius2, tile);
-                        });
+    pair_loop<D, D + 1>(
+        grid, buffers_, fields, [](std::size_t) { return true; },
+        [&](std::size_t i, const Tile<D + 1>& tile) {
+          if (wanted(i)) list_neighbours(i, x, radius2, tile);
+        });
   }
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t i) const {
@@ -82,7 +84,8 @@ class NeighbourList {
     std::uint32_t thread;
   };
 
-  void list_neighbours(std::size_t i, const std::array<Field, D>& x, double radius2, const Tile<D + 1>& tile) {
+  void list_neighbours(std::size_t i, const std::array<Field, D>& x, double radius2,
+                       const Tile<D + 1>& tile) {
     const auto thread = static_cast<std::uint32_t>(omp_get_thread_num());
     auto& chunk = chunk_[thread];
     const std::size_t begin = chunk.size();

@@ -23,7 +23,8 @@ struct Tile {
 template <int D, int F>
 class TileBuffer {
  public:
-  Tile<F> gather(const CellGrid<D>& grid, std::size_t cell, const std::array<const double*, F>& fields) {
+  Tile<F> gather(const CellGrid<D>& grid, std::size_t cell,
+                 const std::array<const double*, F>& fields) {
     std::size_t count = 0;
     grid.for_each_segment(cell, [&](const auto& s) { count += s.end - s.begin; });
     const std::size_t padded = (count + simd_width - 1) / simd_width * simd_width;
@@ -73,7 +74,8 @@ void pair_loop(const CellGrid<D>& grid, std::vector<TileBuffer<D, F>>& buffers,
     const auto cell = static_cast<std::size_t>(c);
     const auto [begin, end] = grid.particles_of(cell);
     if (begin == end || !wanted(cell)) continue;
-    const Tile<F> tile = buffers[static_cast<std::size_t>(omp_get_thread_num())].gather(grid, cell, fields);
+    const Tile<F> tile =
+        buffers[static_cast<std::size_t>(omp_get_thread_num())].gather(grid, cell, fields);
     for (std::size_t i = begin; i < end; ++i) body(i, tile);
   }
 }

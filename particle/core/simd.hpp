@@ -11,6 +11,8 @@ namespace stdx = std::experimental;
 using Simd = stdx::native_simd<double>;
 inline constexpr std::size_t simd_width = Simd::size();
 
-inline Simd load(const double* p) { return Simd(p, stdx::vector_aligned); }
+inline Simd load(const double* p) {
+  return Simd(p, stdx::vector_aligned);
+}
 
 }  // namespace surge

@@ -11,7 +11,8 @@ namespace surge {
 /// The longest step (s) for which Cr = v_max dt / l0 stays within the Courant number of the case,
 /// and never longer than its maximum.
 inline double courant_step(const TimeControl& control, double spacing, double v_max) {
-  const double limit = v_max > 0.0 ? control.courant * spacing / v_max : std::numeric_limits<double>::max();
+  const double limit =
+      v_max > 0.0 ? control.courant * spacing / v_max : std::numeric_limits<double>::max();
   return std::min(limit, control.maximum_step);
 }
 

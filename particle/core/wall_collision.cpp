@@ -59,7 +59,8 @@ bool WallCollision<D>::keep_in_tank(Vec<D>& end, Vec<D>& velocity) const {
 }
 
 template <int D>
-bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const {
+bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end,
+                                Vec<D>& velocity) const {
   // Slab test: the part [enter, leave] of the path, in units of its length, that lies in the box.
   double enter = -std::numeric_limits<double>::max();
   double leave = std::numeric_limits<double>::max();
@@ -87,8 +88,10 @@ bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end
     if (leave < 1.0) return false;
     double least = std::numeric_limits<double>::max();
     for (int a = 0; a < D; ++a) {
-      if (end[a] - box.lower[a] < least) least = end[a] - box.lower[a], face_axis = a, face_sign = -1.0;
-      if (box.upper[a] - end[a] < least) least = box.upper[a] - end[a], face_axis = a, face_sign = 1.0;
+      if (end[a] - box.lower[a] < least)
+        least = end[a] - box.lower[a], face_axis = a, face_sign = -1.0;
+      if (box.upper[a] - end[a] < least)
+        least = box.upper[a] - end[a], face_axis = a, face_sign = 1.0;
     }
   }
   if (face_axis < 0) return false;
@@ -109,7 +112,8 @@ bool WallCollision<D>::is_lost(const Vec<D>& x) const {
   };
   if (has_tank_) {
     for (int a = 0; a < D; ++a)
-      if (!tank_.periodic[a] && (x[a] < tank_.box.lower[a] || x[a] > tank_.box.upper[a])) return true;
+      if (!tank_.periodic[a] && (x[a] < tank_.box.lower[a] || x[a] > tank_.box.upper[a]))
+        return true;
   }
   return std::any_of(solid_.begin(), solid_.end(), inside);
 }

@@ -22,7 +22,7 @@ struct Box {
 struct FluidBlock {
   enum class Shape { box, ball };
   Shape shape = Shape::box;
-  Box box;  ///< the box itself, or the one that encloses the ball
+  Box box;           ///< the box itself, or the one that encloses the ball
   Point velocity{};  ///< m/s, at the centre of the block
   /// dv_a/dx_b in 1/s: the initial velocity is velocity + gradient (x - centre).
   std::array<Point, 3> velocity_gradient{};
@@ -51,7 +51,8 @@ struct TimeControl {
   double courant = 0.2;        ///< v_max dt / l0
 };
 
-/// How neighbours are found: every particle against every other, O(N^2) as in the paper, or by cells, O(N).
+/// How neighbours are found: every particle against every other, O(N^2) as in the paper, or by
+/// cells, O(N).
 enum class Search { all_pairs, cell_grid };
 
 /// One physical case and the method that computes it, checked and complete.

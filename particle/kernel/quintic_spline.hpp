@@ -11,9 +11,12 @@ namespace surge {
 /// 3/(359 pi) for 3D; these are the values for which the kernel integrates to one.
 template <int D>
 constexpr double quintic_spline_normalisation() {
-  if constexpr (D == 1) return 1.0 / 120.0;
-  else if constexpr (D == 2) return 7.0 / (478.0 * std::numbers::pi);
-  else return 1.0 / (120.0 * std::numbers::pi);
+  if constexpr (D == 1)
+    return 1.0 / 120.0;
+  else if constexpr (D == 2)
+    return 7.0 / (478.0 * std::numbers::pi);
+  else
+    return 1.0 / (120.0 * std::numbers::pi);
 }
 
 // Eq. (18)

@@ -28,8 +28,10 @@ class WendlandC2 {
     using std::max;
     const T q = r * T(inverse_h_);
     const T a = max(T(1.0) - T(0.5) * q, T(0.0));
-    if constexpr (D == 1) return T(value_) * a * a * a * (T(1.0) + T(1.5) * q);
-    else return T(value_) * a * a * a * a * (T(1.0) + T(2.0) * q);
+    if constexpr (D == 1)
+      return T(value_) * a * a * a * (T(1.0) + T(1.5) * q);
+    else
+      return T(value_) * a * a * a * a * (T(1.0) + T(2.0) * q);
   }
 
   /// dW/dr, 1/m^(D+1): -5 a_D R (1 - R/2)^3 / h in 2D and 3D, -3 a_1 R (1 - R/2)^2 / h in 1D
@@ -38,15 +40,20 @@ class WendlandC2 {
     using std::max;
     const T q = r * T(inverse_h_);
     const T a = max(T(1.0) - T(0.5) * q, T(0.0));
-    if constexpr (D == 1) return T(slope_) * q * a * a;
-    else return T(slope_) * q * a * a * a;
+    if constexpr (D == 1)
+      return T(slope_) * q * a * a;
+    else
+      return T(slope_) * q * a * a * a;
   }
 
  private:
   static constexpr double normalisation() {
-    if constexpr (D == 1) return 5.0 / 8.0;
-    else if constexpr (D == 2) return 7.0 / (4.0 * std::numbers::pi);
-    else return 21.0 / (16.0 * std::numbers::pi);
+    if constexpr (D == 1)
+      return 5.0 / 8.0;
+    else if constexpr (D == 2)
+      return 7.0 / (4.0 * std::numbers::pi);
+    else
+      return 21.0 / (16.0 * std::numbers::pi);
   }
 
   double inverse_h_;

@@ -30,8 +30,8 @@ Periodicity<D> unit_period_in_x(bool on) {
 
 /// Neighbour lists as sets of pairs of the original numbers, each sorted.
 template <int D>
-std::vector<std::vector<std::uint32_t>> lists(Search search, std::array<Field, D> x, double radius, int reach,
-                                              bool periodic) {
+std::vector<std::vector<std::uint32_t>> lists(Search search, std::array<Field, D> x, double radius,
+                                              int reach, bool periodic) {
   const std::size_t n = x[0].size();
   AlignedVector<std::int32_t> id(n);
   std::iota(id.begin(), id.end(), 0);
@@ -79,12 +79,17 @@ void expect_same_lists(const Setup& s, std::size_t n) {
   }
 }
 
-TEST_P(Searches, FindTheSamePairs2D) { expect_same_lists<2>(GetParam(), 800); }
-TEST_P(Searches, FindTheSamePairs3D) { expect_same_lists<3>(GetParam(), 700); }
+TEST_P(Searches, FindTheSamePairs2D) {
+  expect_same_lists<2>(GetParam(), 800);
+}
+TEST_P(Searches, FindTheSamePairs3D) {
+  expect_same_lists<3>(GetParam(), 700);
+}
 
 INSTANTIATE_TEST_SUITE_P(Setups, Searches,
-                         testing::Values(Setup{1, false, 0.1}, Setup{2, false, 0.1}, Setup{2, false, 0.031},
-                                         Setup{3, false, 0.2}, Setup{1, true, 0.1}, Setup{2, true, 0.13},
+                         testing::Values(Setup{1, false, 0.1}, Setup{2, false, 0.1},
+                                         Setup{2, false, 0.031}, Setup{3, false, 0.2},
+                                         Setup{1, true, 0.1}, Setup{2, true, 0.13},
                                          Setup{2, true, 0.3}, Setup{2, false, 2.0}));
 
 TEST(CellGrid, OrderDoesNotDependOnTheNumberOfThreads) {

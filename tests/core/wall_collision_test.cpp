@@ -83,7 +83,8 @@ TEST(WallCollision, NoRandomPathPassesAWall) {
     Vec<2> v{path(random), path(random)};
     Vec<2> end{start[0] + v[0], start[1] + v[1]};
     walls.apply(start, end, v);
-    ASSERT_FALSE(walls.is_lost(end)) << start[0] << ' ' << start[1] << " -> " << end[0] << ' ' << end[1];
+    ASSERT_FALSE(walls.is_lost(end))
+        << start[0] << ' ' << start[1] << " -> " << end[0] << ' ' << end[1];
     ASSERT_LT(end[0], 0.5) << "passed the dividing wall";
   }
 }

@@ -53,8 +53,8 @@ TYPED_TEST(KernelTest, IntegratesToOne) {
   constexpr int D = TypeParam::dimension;
   for (const double h : {0.006, 1.0, 2.5}) {
     const typename TypeParam::Kernel kernel(h);
-    const double integral =
-        radial_integral<D>(TypeParam::Kernel::support * h, [&](double r) { return kernel.value(r); });
+    const double integral = radial_integral<D>(TypeParam::Kernel::support * h,
+                                               [&](double r) { return kernel.value(r); });
     EXPECT_NEAR(integral, 1.0, 1e-11) << "h = " << h;
   }
 }
@@ -72,13 +72,14 @@ TYPED_TEST(KernelTest, DerivativeMatchesFiniteDifference) {
   EXPECT_NEAR(kernel.derivative(0.0), 0.0, 1e-14 * scale);
 }
 
-// The gradient's first moment: int -dW/dr r dV = D, which makes the gradient of linear fields exact.
+// The gradient's first moment: int -dW/dr r dV = D, which makes the gradient of linear fields
+// exact.
 TYPED_TEST(KernelTest, GradientReproducesLinearFields) {
   constexpr int D = TypeParam::dimension;
   const double h = 0.3;
   const typename TypeParam::Kernel kernel(h);
-  const double moment =
-      radial_integral<D>(TypeParam::Kernel::support * h, [&](double r) { return -kernel.derivative(r) * r; });
+  const double moment = radial_integral<D>(TypeParam::Kernel::support * h,
+                                           [&](double r) { return -kernel.derivative(r) * r; });
   EXPECT_NEAR(moment, D, 1e-10);
 }
 
@@ -103,8 +104,8 @@ TYPED_TEST(KernelTest, VectorsGiveTheSameAsScalars) {
   }
 }
 
-// Errata of the paper: with the factors that it prints after Eq. (18), the kernel does not integrate
-// to one in 1D and 3D.
+// Errata of the paper: with the factors that it prints after Eq. (18), the kernel does not
+// integrate to one in 1D and 3D.
 TEST(PaperErrata, NormalisationOfTheQuinticSpline) {
   const double h = 1.0;
   const auto integral_with = [&]<int D>(double printed) {
@@ -132,7 +133,8 @@ TEST(PaperErrata, LambdaByIntegration) {
   const double second = radial_integral<2>(re, [&](double r) { return mps_weight(r, re) * r * r; });
   const double zeroth = radial_integral<2>(re, [&](double r) { return mps_weight(r, re); });
   EXPECT_NEAR(second / zeroth, re * re / 6.0, 1e-9);
-  const double second_3d = radial_integral<3>(re, [&](double r) { return mps_weight(r, re) * r * r; });
+  const double second_3d =
+      radial_integral<3>(re, [&](double r) { return mps_weight(r, re) * r * r; });
   const double zeroth_3d = radial_integral<3>(re, [&](double r) { return mps_weight(r, re); });
   EXPECT_NEAR(second_3d / zeroth_3d, 0.3 * re * re, 1e-9);
 }

@@ -44,18 +44,22 @@ LayerMean run_and_average(const Case& c, double lower, double upper, double surf
 class Hydrostatic : public testing::TestWithParam<std::string> {
  protected:
   LayerMean run(double lower, double upper) const {
-    const std::vector<std::string> choices{"method.name=" + GetParam(), "method.preset=paper", "time.end=0.5"};
-    const Case c = read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
+    const std::vector<std::string> choices{"method.name=" + GetParam(), "method.preset=paper",
+                                           "time.end=0.5"};
+    const Case c =
+        read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
     return GetParam() == "mps" ? run_and_average<mps::Solver<2>>(c, lower, upper, 0.2)
                                : run_and_average<sph::Solver<2>>(c, lower, upper, 0.2);
   }
 };
 
-// Exact: p = rho g (H - y). The instantaneous pressure of MPS is noisy; what it must keep is the mean.
+// Exact: p = rho g (H - y). The instantaneous pressure of MPS is noisy; what it must keep is the
+// mean.
 TEST_P(Hydrostatic, TankKeepsItsPressure) {
   for (const double lower : {0.0, 0.08}) {
     const LayerMean mean = run(lower, lower + 0.04);
-    EXPECT_NEAR(mean.pressure, 1000.0 * 9.81 * mean.depth, 0.05 * 1000.0 * 9.81 * 0.2) << "above y = " << lower;
+    EXPECT_NEAR(mean.pressure, 1000.0 * 9.81 * mean.depth, 0.05 * 1000.0 * 9.81 * 0.2)
+        << "above y = " << lower;
     EXPECT_EQ(mean.lost, 0);
     // Far below the speed of a collapse, sqrt(2 g H) = 2 m/s.
     EXPECT_LT(mean.v_max, 1.0);
