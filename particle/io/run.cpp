@@ -72,7 +72,8 @@ class Run {
     record_.fluid_particles = count_fluid<D>(solver.particles());
     record_.wall_particles = static_cast<long>(solver.particles().size()) - record_.fluid_particles;
     const std::string density = case_.method_name() == "mps" ? "number_density" : "density";
-    RunOutput output{FrameWriter(folder_, density), StepTable(folder_ / "steps.csv", case_.probes),
+    RunOutput output{FrameQueue(FrameWriter(folder_, density)),
+                     StepTable(folder_ / "steps.csv", case_.probes),
                      Progress(out_, terminal_, case_.time.end)};
     RunLoop<Solver, D> loop(solver, case_, output, record_, [&] { return guard.interrupted(); });
     try {

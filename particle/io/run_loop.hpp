@@ -6,11 +6,11 @@
 
 #include "particle/core/solver.hpp"
 #include "particle/io/case.hpp"
+#include "particle/io/frame_queue.hpp"
 #include "particle/io/manifest.hpp"
 #include "particle/io/probes.hpp"
 #include "particle/io/progress.hpp"
 #include "particle/io/step_table.hpp"
-#include "particle/io/vtk_writer.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/toml.hpp"
 
@@ -18,7 +18,7 @@ namespace surge {
 
 /// Where the results of a run go while it runs.
 struct RunOutput {
-  FrameWriter frames;
+  FrameQueue frames;
   StepTable steps;
   Progress progress;
 };
@@ -63,21 +63,28 @@ class RunLoop {
         stop_(std::move(stop)),
         probes_(c) {}
 
-  /// Throws Error where values cease to be finite or the time step vanishes; what was computed
-  /// until then is in the output.
+  /// Throws Error where values cease to be finite or the time step vanishes, or where a frame
+  /// cannot be written; what was computed until then is in the output. All frames are on the disk
+  /// when it returns.
   RunEnd run() {
-    write_frame(snapshot(times_[0]));
+    const RunEnd end = compute_frames();
+    finish_frames();
+    return end;
+  }
+
+ private:
+  RunEnd compute_frames() {
+    write_frame(times_[0]);
     for (long k = 1; k <= times_.last(); ++k) {
       if (advance_to(times_[k]) == RunEnd::interrupted) {
-        write_frame(snapshot(solver_.time()));
+        write_frame(solver_.time());
         return RunEnd::interrupted;
       }
-      write_frame(snapshot(times_[k]));
+      write_frame(times_[k]);
     }
     return RunEnd::finished;
   }
 
- private:
   RunEnd advance_to(double frame_time) {
     while (true) {
       const double remaining = frame_time - solver_.time();
@@ -103,7 +110,8 @@ class RunLoop {
     record_.nonfinite = static_cast<long>(count_nonfinite(solver_.particles()));
     const bool vanished = !(report.dt > 1e-12 * case_.time.maximum_step);
     if (record_.nonfinite == 0 && !vanished) return;
-    if (good_.size() > 0 && good_.time > last_frame_) write_frame(good_);
+    if (good_.size() > 0 && good_.time > last_frame_) push_frame(std::move(good_));
+    finish_frames();
     output_.steps.flush();
     const std::string when = "step " + std::to_string(record_.steps) +
                              " at t = " + number_text(solver_.time()) + " s: found ";
@@ -121,13 +129,22 @@ class RunLoop {
     return take_snapshot<D>(solver_.particles(), time);
   }
 
-  /// Takes the snapshot by value: a writer in another thread could keep it.
-  void write_frame(Snapshot frame) {
+  void write_frame(double time) {
     const auto scope = solver_.clock().measure(Phase::output);
-    output_.frames.write(frame);
-    output_.steps.flush();
+    push_frame(snapshot(time));
+  }
+
+  void push_frame(Snapshot frame) {
     last_frame_ = frame.time;
+    output_.frames.push(std::move(frame));
+    output_.steps.flush();
     ++record_.frames;
+  }
+
+  void finish_frames() {
+    const auto scope = solver_.clock().measure(Phase::output);
+    output_.frames.finish();
+    record_.output_thread = output_.frames.busy_s();
   }
 
   /// The last good state that a failed run shows is at most so many steps old: copying it every

@@ -82,18 +82,17 @@ FrameWriter::FrameWriter(std::filesystem::path folder, std::string density_name)
 
 void FrameWriter::write(const Snapshot& snapshot) {
   const std::filesystem::path file = folder_ / frame_name(times_.size());
-  const std::filesystem::path unfinished = file.string() + ".tmp";
   const auto data = poly_data(snapshot, density_name_);
   vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(unfinished.c_str());
   writer->SetInputData(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToZLib();
   writer->SetCompressionLevel(1);  // higher levels cost several times as much for a few percent
-  if (writer->Write() == 0)
-    throw Error(file.string() + ": found no way to write, expected a frame");
-  rename_file(unfinished, file);
+  // VTK itself says nothing when a disk is full.
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0) throw Error(file.string() + ": found no way to encode the frame");
+  write_file(file, writer->GetOutputString());
   times_.push_back(snapshot.time);
   write_collection();
 }

@@ -52,7 +52,7 @@ class RunLoopTest : public testing::Test {
  protected:
   RunEnd run(
       FakeSolver& solver, std::function<bool()> stop = [] { return false; }) {
-    RunOutput output{FrameWriter(folder_.path(), "density"),
+    RunOutput output{FrameQueue(FrameWriter(folder_.path(), "density")),
                      StepTable(folder_.path() / "steps.csv", case_.probes),
                      Progress(progress_, false, case_.time.end)};
     RunLoop<FakeSolver, 2> loop(solver, case_, output, record_, std::move(stop));
