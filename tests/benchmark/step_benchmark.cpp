@@ -1,0 +1,174 @@
+// Whole time steps of both methods, preset `paper`, 2D, on the column in the middle of its collapse
+// (developed_flow.hpp). Particles count with walls unless a counter says fluid.
+//
+// What one pair costs, counted by hand in the loops that it names (an addition, a multiplication, a
+// maximum, a division or a root is one flop; two per FMA). Change it with the loops.
+
+#include <benchmark/benchmark.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "particle/mps/solver.hpp"
+#include "particle/sph/solver.hpp"
+#include "tests/benchmark/developed_flow.hpp"
+#include "tests/benchmark/peak_memory.hpp"
+
+namespace surge::benchmarks {
+namespace {
+
+/// sph::Solver::continuity_pass and momentum_pass. Both: x_j - x_i 2, r^2 4, root and division 2,
+/// derivative of the quintic spline 18. Continuity alone: v_j - v_i 2, kernel value from the same
+/// brackets 8, divergence 5, XSPH 5. Momentum alone: pressure term 2, force 4.
+constexpr double sph_flops_per_pair = (26 + 2 + 8 + 5 + 5) + (26 + 2 + 4);
+/// Every field that a loop of sph::Solver::step() reads or writes, once per loop and in 2D; what
+/// the loops gather for a cell stays in the cache. Kicks 96, half drift 64, volumes 17, continuity
+/// 72, density 24, drift 80, equation of state 40, momentum 40, speed 16.
+constexpr double sph_bytes_per_particle = 449;
+/// The pressure equation bounds an MPS step: each iteration reads the matrix (8 + 4 bytes an entry)
+/// and passes over about 10 vectors. What a preconditioner reads comes on top and is not counted.
+constexpr double bytes_per_entry = 12;
+constexpr double bytes_of_vectors = 80;
+
+/// A solver that has left its first steps behind. One at a time, kept until another one is asked
+/// for, so that timings on several thread counts go on from the same state.
+template <class Solver>
+class Flow {
+ public:
+  static Flow& get(const Case& c, const std::string& key) {
+    static std::map<std::string, std::unique_ptr<Flow>> flows;
+    const auto found = flows.find(key);
+    if (found != flows.end()) return *found->second;
+    flows.clear();
+    return *(flows[key] = std::make_unique<Flow>(c));
+  }
+  explicit Flow(const Case& c) : solver(c) {
+    const double particles = static_cast<double>(solver.particles().size());
+    advance(static_cast<int>(std::clamp(3e6 / particles, 5.0, 100.0)));
+    bytes_per_particle = memory_.bytes() / particles;
+  }
+  void advance(int steps) {
+    for (int k = 0; k < steps; ++k) report = solver.step(std::numeric_limits<double>::max());
+  }
+
+ private:
+  PeakMemory memory_;  // first: what the solver allocates counts
+
+ public:
+  Solver solver;
+  StepReport report;
+  double bytes_per_particle = 0.0;
+  double single_thread_rate = 0.0;  ///< particle-steps per second
+};
+
+/// Times steps and reports what all methods have in common. Returns particle-steps per second.
+template <class Solver>
+double time_steps(benchmark::State& state, Flow<Solver>& flow) {
+  const auto threads = static_cast<int>(state.range(1));
+  omp_set_num_threads(threads);
+  flow.advance(2);
+  const std::array phases{Phase::neighbours, Phase::pressure, Phase::forces};
+  std::array<double, phases.size()> before{};
+  for (std::size_t k = 0; k < phases.size(); ++k)
+    before[k] = flow.solver.clock().seconds(phases[k]);
+  const auto start = std::chrono::steady_clock::now();
+  for (auto _ : state) flow.advance(1);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+
+  const Particles<2>& p = flow.solver.particles();
+  const auto particles = static_cast<double>(p.size());
+  const auto fluid =
+      static_cast<double>(std::count(p.type.begin(), p.type.end(), ParticleType::fluid));
+  const auto steps = static_cast<double>(state.iterations());
+  const double rate = particles * steps / spent.count();
+  if (threads == 1) flow.single_thread_rate = rate;
+  state.counters["particle_steps/s"] = rate;
+  state.counters["fluid_steps/s"] = fluid * steps / spent.count();
+  state.counters["particles"] = particles;
+  state.counters["bytes/particle"] = flow.bytes_per_particle;
+  if (flow.single_thread_rate > 0.0)
+    state.counters["efficiency"] = rate / (flow.single_thread_rate * threads);
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const std::string name = phase_names[static_cast<std::size_t>(phases[k])];
+    state.counters[name + "_share"] =
+        (flow.solver.clock().seconds(phases[k]) - before[k]) / spent.count();
+  }
+  return rate;
+}
+
+void sph_step(benchmark::State& state) {
+  const Case c = developed_column("sph", state.range(0));
+  auto& flow = Flow<sph::Solver<2>>::get(c, std::to_string(state.range(0)));
+  const double rate = time_steps(state, flow);
+  const Particles<2>& p = flow.solver.particles();
+  const double radius = 3.0 * std::get<sph::Params>(c.method).h_over_l0 * c.spacing;
+  const double pairs =
+      count_pairs(p, radius, [](ParticleType type) { return type == ParticleType::fluid; });
+  const double per_particle = pairs / static_cast<double>(p.size());
+  state.counters["pairs/particle"] = per_particle;
+  state.counters["pairs/s"] = rate * per_particle;
+  state.counters["flops/particle"] = sph_flops_per_pair * per_particle;
+  state.counters["bytes_moved/particle"] = sph_bytes_per_particle;
+}
+
+void mps_step(benchmark::State& state, const char* solver) {
+  const Case c =
+      developed_column("mps", state.range(0), {std::string("method.ppe_solver=") + solver});
+  auto& flow = Flow<mps::Solver<2>>::get(c, solver + std::to_string(state.range(0)));
+  const double rate = time_steps(state, flow);
+  const Particles<2>& p = flow.solver.particles();
+  const double radius = std::get<mps::Params>(c.method).re_laplacian * c.spacing;
+  const double pairs =
+      count_pairs(p, radius, [](ParticleType type) { return type != ParticleType::dummy; });
+  const double per_particle = pairs / static_cast<double>(p.size());
+  const mps::PoissonSystem& system = flow.solver.system();
+  state.counters["pairs/particle"] = per_particle;
+  state.counters["pairs/s"] = rate * per_particle;
+  state.counters["iterations"] = flow.report.ppe_iterations;
+  state.counters["unknowns"] = static_cast<double>(system.size());
+  state.counters["bytes_moved/particle"] =
+      flow.report.ppe_iterations *
+      (bytes_per_entry * static_cast<double>(system.value.size()) +
+       bytes_of_vectors * static_cast<double>(system.size())) /
+      static_cast<double>(p.size());
+}
+
+/// One benchmark per size and number of threads, one thread first: efficiency refers to it. Three
+/// repetitions of about `particle_steps` each.
+template <class F>
+void register_sizes(const char* name, F&& step, std::int64_t largest, std::int64_t particle_steps) {
+  const int all = omp_get_num_procs();
+  for (const std::int64_t fluid : {2000, 10000, 100000, 1000000}) {
+    if (fluid > largest) continue;
+    for (int threads = 1; threads <= all; threads += std::max(1, all - 1)) {
+      benchmark::RegisterBenchmark(name, step)
+          ->ArgNames({"fluid", "threads"})
+          ->Args({fluid, threads})
+          ->Iterations(std::clamp<std::int64_t>(particle_steps / fluid, 2, 200))
+          ->Repetitions(3)
+          ->ReportAggregatesOnly(true)
+          ->UseRealTime()
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace surge::benchmarks
+
+int main(int argc, char** argv) {
+  using namespace surge::benchmarks;
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  register_sizes("sph_step", sph_step, 1000000, 2000000);
+  register_sizes(
+      "mps_step_multigrid", [](benchmark::State& s) { mps_step(s, "multigrid"); }, 1000000, 800000);
+  register_sizes(
+      "mps_step_iccg", [](benchmark::State& s) { mps_step(s, "iccg"); }, 100000, 400000);
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
