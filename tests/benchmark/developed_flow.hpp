@@ -17,10 +17,8 @@ namespace surge::benchmarks {
 /// Every row of the column is shifted at random by up to 0.2 l0, which breaks the lattice, and
 /// moves with the corner flow u = a x, v = -a y, plus up to a twentieth of the top's speed. The top
 /// falls with sqrt(g H / 2), about the speed of the real column when the front is at 1.5 widths.
-inline Case developed_column(const std::string& method, std::int64_t fluid_particles,
-                             const std::vector<std::string>& options = {}) {
-  std::vector<std::string> overrides{"method.name=" + method, "method.preset=paper"};
-  overrides.insert(overrides.end(), options.begin(), options.end());
+inline Case developed_column(const std::string& method, std::int64_t fluid_particles) {
+  const std::vector<std::string> overrides{"method.name=" + method, "method.preset=paper"};
   Case c = read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
   const Box column = c.blocks.at(0).box;
   const double width = column.upper[0] - column.lower[0];

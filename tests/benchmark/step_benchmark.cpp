@@ -115,10 +115,11 @@ void sph_step(benchmark::State& state) {
   state.counters["bytes_moved/particle"] = sph_bytes_per_particle;
 }
 
-void mps_step(benchmark::State& state, const char* solver) {
-  const Case c =
-      developed_column("mps", state.range(0), {std::string("method.ppe_solver=") + solver});
-  auto& flow = Flow<mps::Solver<2>>::get(c, solver + std::to_string(state.range(0)));
+void mps_step(benchmark::State& state, mps::PpeSolver solver) {
+  Case c = developed_column("mps", state.range(0));
+  std::get<mps::Params>(c.method).ppe_solver = solver;
+  const std::string key = std::to_string(static_cast<int>(solver)) + '/';
+  auto& flow = Flow<mps::Solver<2>>::get(c, key + std::to_string(state.range(0)));
   const double rate = time_steps(state, flow);
   const Particles<2>& p = flow.solver.particles();
   const double radius = std::get<mps::Params>(c.method).re_laplacian * c.spacing;
@@ -166,9 +167,11 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   register_sizes("sph_step", sph_step, 1000000, 2000000);
   register_sizes(
-      "mps_step_multigrid", [](benchmark::State& s) { mps_step(s, "multigrid"); }, 1000000, 800000);
+      "mps_step_multigrid",
+      [](benchmark::State& s) { mps_step(s, surge::mps::PpeSolver::multigrid); }, 1000000, 800000);
   register_sizes(
-      "mps_step_iccg", [](benchmark::State& s) { mps_step(s, "iccg"); }, 100000, 400000);
+      "mps_step_iccg", [](benchmark::State& s) { mps_step(s, surge::mps::PpeSolver::iccg); },
+      100000, 400000);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
