@@ -75,6 +75,25 @@ Lists unique_faces(const Lists& faces) {
   return unique;
 }
 
+using Edge = std::array<Index, 2>;
+
+/// Each edge of the faces once.
+std::vector<Edge> unique_edges(const Lists& faces) {
+  std::vector<Edge> edges;
+  edges.reserve(faces.entries.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const std::size_t n = faces.length(f);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [a, b] = std::minmax(faces.begin(f)[k], faces.begin(f)[(k + 1) % n]);
+      edges.push_back({a, b});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  edges.shrink_to_fit();
+  return edges;
+}
+
 /// Volume of the box around the corners: exact for axis-aligned cells, enough to rank the pieces
 /// of water on any other mesh.
 double box_volume(const std::vector<Vec3>& points, const Lists& cells, std::size_t cell) {
@@ -101,11 +120,20 @@ struct MeshFront::Topology {
   void spread(const std::vector<double>& alpha, std::vector<double>& corner_alpha,
               std::vector<double>& water) const;
 
+  /// The faces that reach below `top`: the others cannot touch the strip. Found once for a strip.
+  const std::vector<std::size_t>& faces_below(double top, std::size_t up);
+
   std::vector<Vec3> raw_points;  ///< as the grid has them
   std::vector<Vec3> points;      ///< merged
   Lists cells;                   ///< corners per cell
   Lists faces;                   ///< corners per face, each face once
-  std::vector<double> volume;    ///< per cell
+  std::vector<Edge> edges;
+  std::vector<double> volume;  ///< per cell
+
+ private:
+  std::vector<std::size_t> low_faces_;
+  double low_faces_top_ = std::numeric_limits<double>::quiet_NaN();
+  std::size_t low_faces_up_ = 0;
 };
 
 MeshFront::Topology::Topology(vtkUnstructuredGrid& grid) {
@@ -129,6 +157,20 @@ MeshFront::Topology::Topology(vtkUnstructuredGrid& grid) {
     volume.push_back(box_volume(points, cells, static_cast<std::size_t>(c)));
   }
   faces = unique_faces(all_faces);
+  edges = unique_edges(faces);
+}
+
+const std::vector<std::size_t>& MeshFront::Topology::faces_below(double top, std::size_t up) {
+  if (low_faces_top_ == top && low_faces_up_ == up) return low_faces_;
+  low_faces_top_ = top;
+  low_faces_up_ = up;
+  low_faces_.clear();
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Index* corner = faces.begin(f);
+    const auto is_low = [&](Index p) { return points[p][up] <= top; };
+    if (std::any_of(corner, corner + faces.length(f), is_low)) low_faces_.push_back(f);
+  }
+  return low_faces_;
 }
 
 bool MeshFront::Topology::describes(vtkUnstructuredGrid& grid) const {
@@ -166,7 +208,7 @@ void MeshFront::Topology::spread(const std::vector<double>& alpha,
 namespace {
 
 /// The corners of the largest connected body of water (of all water if `everything`).
-std::vector<char> main_body(const Lists& faces, const std::vector<double>& alpha,
+std::vector<char> main_body(const std::vector<Edge>& edges, const std::vector<double>& alpha,
                             const std::vector<double>& water, bool everything) {
   std::vector<char> body(alpha.size(), 0);
   if (everything) {
@@ -174,13 +216,8 @@ std::vector<char> main_body(const Lists& faces, const std::vector<double>& alpha
     return body;
   }
   UnionFind sets(alpha.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const std::size_t n = faces.length(f);
-    for (std::size_t k = 0; k < n; ++k) {
-      const Index a = faces.begin(f)[k];
-      const Index b = faces.begin(f)[(k + 1) % n];
-      if (alpha[a] >= interface_level && alpha[b] >= interface_level) sets.unite(a, b);
-    }
+  for (const auto& [a, b] : edges) {
+    if (alpha[a] >= interface_level && alpha[b] >= interface_level) sets.unite(a, b);
   }
   std::vector<double> volume(alpha.size(), 0.0);
   for (std::size_t p = 0; p < alpha.size(); ++p) {
@@ -237,20 +274,21 @@ std::optional<double> MeshFront::leading_edge(const MeshFrame& frame, const Phys
                                               const FrontOptions& options) {
   if (!topology_ || !topology_->describes(*frame.grid))
     topology_ = std::make_unique<Topology>(*frame.grid);
-  const Topology& mesh = *topology_;
+  Topology& mesh = *topology_;
   std::vector<double> alpha;
   std::vector<double> water;
   mesh.spread(frame.alpha, alpha, water);
-  const std::vector<char> body = main_body(mesh.faces, alpha, water, options.raw_maximum);
+  const std::vector<char> body = main_body(mesh.edges, alpha, water, options.raw_maximum);
   const double top = options.raw_maximum
                          ? std::numeric_limits<double>::infinity()
                          : physics.floor() + options.strip_height.value() * (1.0 + 1e-6);
-  Reach reach(static_cast<std::size_t>(physics.vertical_axis()), top);
+  const auto up = static_cast<std::size_t>(physics.vertical_axis());
+  Reach reach(up, top);
   for (std::size_t p = 0; p < body.size(); ++p) {
     if (body[p]) reach.point(mesh.points[p]);
   }
   // Going round a face, the contour runs from where the water begins to where it ends next.
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+  for (const std::size_t f : mesh.faces_below(top, up)) {
     const Index* corner = mesh.faces.begin(f);
     const std::size_t n = mesh.faces.length(f);
     const auto crossing = [&](std::size_t k) {
