@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 
 #include "compare/union_find.hpp"
 
@@ -29,20 +30,30 @@ Cell cell_of(const Vec3& position, double size) {
   return cell;
 }
 
-/// Unites the particles of [first, last) with those of the three cells (x, y, z-1..z+1), which lie
-/// next to each other in the sorted list.
-void link_column(const std::vector<Entry>& entries, const Entry& entry, Cell column,
-                 const std::vector<Vec3>& position, double distance_squared, UnionFind& sets) {
-  column[2] = entry.cell[2] - 1;
+using Entries = std::span<const Entry>;
+
+/// The entries of the three cells (column x, column y, z-1..z+1), which lie next to each other in
+/// the sorted list.
+Entries cells_around(const std::vector<Entry>& entries, Cell column, std::int64_t z) {
   const auto less = [](const Entry& e, const Cell& c) { return e.cell < c; };
-  auto other = std::lower_bound(entries.begin(), entries.end(), column, less);
-  const Cell last{column[0], column[1], entry.cell[2] + 1};
-  const Vec3& x = position[entry.particle];
-  for (; other != entries.end() && other->cell <= last; ++other) {
-    const Vec3& y = position[other->particle];
-    const Vec3 d{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
-    if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= distance_squared)
-      sets.unite(entry.particle, other->particle);
+  column[2] = z - 1;
+  const auto first = std::lower_bound(entries.begin(), entries.end(), column, less);
+  column[2] = z + 2;
+  auto last = first;
+  while (last != entries.end() && last->cell < column) ++last;
+  return {first, last};
+}
+
+void link(Entries cell, Entries around, const std::vector<Vec3>& position, double distance_squared,
+          UnionFind& sets) {
+  for (const Entry& entry : cell) {
+    const Vec3& x = position[entry.particle];
+    for (const Entry& other : around) {
+      const Vec3& y = position[other.particle];
+      const Vec3 d{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+      if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= distance_squared)
+        sets.unite(entry.particle, other.particle);
+    }
   }
 }
 
@@ -77,12 +88,16 @@ Pieces connected_pieces(const std::vector<Vec3>& position, double linking_distan
   UnionFind sets(position.size());
   // Particles exactly a linking distance apart (a lattice) must not depend on rounding.
   const double distance_squared = std::pow(linking_distance * (1.0 + 1e-9), 2);
-  for (const Entry& entry : entries) {
+  for (auto begin = entries.begin(); begin != entries.end();) {
+    const Cell cell = begin->cell;
+    const auto end =
+        std::find_if(begin, entries.end(), [&](const Entry& e) { return e.cell != cell; });
     // Half of the neighbours is enough: the other half finds this one.
     for (const auto& [dx, dy] : {std::pair{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
-      const Cell column{entry.cell[0] + dx, entry.cell[1] + dy, 0};
-      link_column(entries, entry, column, position, distance_squared, sets);
+      const Entries around = cells_around(entries, {cell[0] + dx, cell[1] + dy, 0}, cell[2]);
+      link({begin, end}, around, position, distance_squared, sets);
     }
+    begin = end;
   }
   return number_by_size(sets, position.size());
 }

@@ -49,6 +49,18 @@ TEST(MeshFront, OfAnOverhangIsTakenAtTheTopOfTheStrip) {
   EXPECT_NEAR(edge_of(frame, options), 0.3137, 1e-6);
 }
 
+TEST(MeshFront, FollowsTheStripThatItIsAskedFor) {
+  // One object, one mesh, other strips: what was found for the one before must not be used.
+  const MeshFrame frame = slab([](Vec3 x) { return 0.5 + 3.0 * (0.3 + x[1] - x[0]); });
+  MeshFront front;
+  FrontOptions options;
+  for (const double height : {0.0137, 0.1037, 0.0537}) {
+    options.strip_height = Metres(height);
+    EXPECT_NEAR(front.leading_edge(frame, testing::dam_break(), options).value(), 0.3 + height,
+                1e-6);
+  }
+}
+
 TEST(MeshFront, OfAThinWedgeIsNearItsTip) {
   // A tongue that thins to nothing at x = 0.6: half of the lowest cell is full at 0.6 - h/2 /
   // slope.
