@@ -48,7 +48,7 @@ class Flow {
   }
   explicit Flow(const Case& c) : solver(c) {
     const double particles = static_cast<double>(solver.particles().size());
-    advance(static_cast<int>(std::clamp(3e6 / particles, 5.0, 100.0)));
+    advance(static_cast<int>(std::clamp(3e6 / particles, 5.0, 50.0)));
     bytes_per_particle = memory_.bytes() / particles;
   }
   void advance(int steps) {
@@ -139,7 +139,8 @@ void mps_step(benchmark::State& state, mps::PpeSolver solver) {
 }
 
 /// One benchmark per size and number of threads, one thread first: efficiency refers to it. Three
-/// repetitions of about `particle_steps` each.
+/// repetitions of about `particle_steps` each, few enough steps that the column is still
+/// collapsing.
 template <class F>
 void register_sizes(const char* name, F&& step, std::int64_t largest, std::int64_t particle_steps) {
   const int all = omp_get_num_procs();
@@ -149,7 +150,7 @@ void register_sizes(const char* name, F&& step, std::int64_t largest, std::int64
       benchmark::RegisterBenchmark(name, step)
           ->ArgNames({"fluid", "threads"})
           ->Args({fluid, threads})
-          ->Iterations(std::clamp<std::int64_t>(particle_steps / fluid, 2, 200))
+          ->Iterations(std::clamp<std::int64_t>(particle_steps / fluid, 2, 50))
           ->Repetitions(3)
           ->ReportAggregatesOnly(true)
           ->UseRealTime()
