@@ -46,6 +46,10 @@ template <>
 inline constexpr std::array enum_names<sph::NegativePressure>{
     Named{"keep", sph::NegativePressure::keep}, Named{"clip", sph::NegativePressure::clip}};
 template <>
+inline constexpr std::array enum_names<sph::DiffusionOf>{
+    Named{"density", sph::DiffusionOf::density},
+    Named{"dynamic_density", sph::DiffusionOf::dynamic_density}};
+template <>
 inline constexpr std::array enum_names<sph::WallDensity>{
     Named{"reference", sph::WallDensity::reference},
     Named{"continuity", sph::WallDensity::continuity},
@@ -105,6 +109,8 @@ void visit_options(P& p, Visitor&& option) {
          "alpha of the artificial viscosity, Monaghan (1992)");
   option("density_diffusion", p.density_diffusion, Bounds::at_least(0.0),
          "delta of the density diffusion, Molteni & Colagrossi (2009)");
+  option("diffusion_of", p.diffusion_of, any,
+         "what the diffusion acts on; dynamic_density is Fourtakas et al. (2019)");
   option("wall_density", p.wall_density, any, "how wall particles get density and pressure");
   option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),
          "no particle comes nearer to a wall, in l0");
