@@ -39,12 +39,25 @@ template <>
 inline constexpr std::array enum_names<mps::NegativePressure>{
     Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip}};
 template <>
+inline constexpr std::array enum_names<mps::Source>{
+    Named{"number_density", mps::Source::number_density},
+    Named{"divergence_and_density", mps::Source::divergence_and_density}};
+template <>
+inline constexpr std::array enum_names<mps::GradientModel>{
+    Named{"minimum", mps::GradientModel::minimum},
+    Named{"conserving", mps::GradientModel::conserving},
+    Named{"corrected", mps::GradientModel::corrected}};
+template <>
 inline constexpr std::array enum_names<sph::Kernel>{
     Named{"quintic_spline", sph::Kernel::quintic_spline},
     Named{"wendland_c2", sph::Kernel::wendland_c2}};
 template <>
 inline constexpr std::array enum_names<sph::NegativePressure>{
     Named{"keep", sph::NegativePressure::keep}, Named{"clip", sph::NegativePressure::clip}};
+template <>
+inline constexpr std::array enum_names<sph::DiffusionOf>{
+    Named{"density", sph::DiffusionOf::density},
+    Named{"dynamic_density", sph::DiffusionOf::dynamic_density}};
 template <>
 inline constexpr std::array enum_names<sph::WallDensity>{
     Named{"reference", sph::WallDensity::reference},
@@ -70,6 +83,14 @@ void visit_options(P& p, Visitor&& option) {
   option("re_laplacian", p.re_laplacian, Bounds::above(1.0), "radius of the Laplacian, in l0");
   option("lambda", p.lambda, any, "lambda of the Laplacian, Eqs. (7) and (8)");
   option("beta", p.beta, Bounds::open(0.0, 1.0), "free surface where n < beta n0, Eq. (14)");
+  option("surface_offset", p.surface_offset, Bounds::at_least(0.0),
+         "and neighbours lie to one side by more than this; 0: Eq. (14) alone");
+  option("source", p.source, any,
+         "source of the pressure equation; divergence_and_density is Tanaka & Masunaga (2010)");
+  option("density_share", p.density_share, Bounds::closed(0.0, 1.0),
+         "gamma, the share of the density error in divergence_and_density");
+  option("gradient", p.gradient, any,
+         "pressure gradient: conserving is Khayyer & Gotoh (2008), corrected (2011)");
   option("source_relaxation", p.source_relaxation, Bounds::above_to(0.0, 1.0),
          "factor on the source of the pressure equation, Eq. (12)");
   option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
@@ -105,6 +126,8 @@ void visit_options(P& p, Visitor&& option) {
          "alpha of the artificial viscosity, Monaghan (1992)");
   option("density_diffusion", p.density_diffusion, Bounds::at_least(0.0),
          "delta of the density diffusion, Molteni & Colagrossi (2009)");
+  option("diffusion_of", p.diffusion_of, any,
+         "what the diffusion acts on; dynamic_density is Fourtakas et al. (2019)");
   option("wall_density", p.wall_density, any, "how wall particles get density and pressure");
   option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),
          "no particle comes nearer to a wall, in l0");

@@ -1,10 +1,30 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "particle/mps/number_density.hpp"
 
 namespace surge::mps {
+
+/// x of A x = b for a symmetric positive definite A by elimination; empty where a pivot lies
+/// below `least_pivot`. Pivots are never less than the least eigenvalue.
+template <int D>
+std::optional<Vec<D>> solve_spd(std::array<Vec<D>, D> a, Vec<D> b, double least_pivot) {
+  for (int k = 0; k < D; ++k) {
+    if (a[k][k] < least_pivot) return std::nullopt;
+    for (int row = k + 1; row < D; ++row) {
+      const double factor = a[row][k] / a[k][k];
+      for (int column = k; column < D; ++column) a[row][column] -= factor * a[k][column];
+      b[row] -= factor * b[k];
+    }
+  }
+  for (int k = D - 1; k >= 0; --k) {
+    for (int column = k + 1; column < D; ++column) b[k] -= a[k][column] * b[column];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
 
 // Eq. (6)
 /// The least value of phi among i and those of its neighbours within re (m) that `counts` lets in
@@ -36,6 +56,45 @@ Vec<D> gradient(std::size_t i, std::span<const std::uint32_t> neighbours, const 
   }
   for (double& component : sum) component *= D / n0;
   return sum;
+}
+
+/// Gradient model that conserves momentum (Khayyer & Gotoh 2008, Coast. Eng. J. 50, CMPS): the same
+/// sum over (phi_j + phi_i) - (least_j + least_i), least being the neighbourhood's minimum. What i
+/// gets from j is the opposite of what j gets from i, and never pulls the two together.
+template <int D, class Phi, class Least, class Counts>
+Vec<D> conserving_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
+                           const Displacement<D>& displacement, double re, double n0, Phi&& phi, Least&& least,
+                           Counts&& counts) {
+  const double own = phi(i) - least(i);
+  // (phi_j - reference) with the reference that makes the sum above out of it
+  return gradient<D>(
+      i, neighbours, displacement, re, n0, -own, [&](std::size_t j) { return phi(j) - least(j); }, counts);
+}
+
+/// First-order consistent gradient (Khayyer & Gotoh 2011, J. Comput. Phys. 230, Sec. 2.3):
+///   C_i sum (phi_j - phi_i) (x_j - x_i) / r^2 w,  C_i = [ sum (x_j - x_i)(x_j - x_i)^T / r^2 w ]^-1,
+/// exact for linear fields wherever the neighbours are. Empty where they are too few, or nearly in a
+/// line, for C to be trusted: a pivot of the matrix below `limit` times n0/d, which it is on
+/// the full lattice.
+template <int D, class Phi, class Counts>
+std::optional<Vec<D>> corrected_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
+                                         const Displacement<D>& displacement, double re, double n0, double limit,
+                                         Phi&& phi, Counts&& counts) {
+  using Matrix = std::array<Vec<D>, D>;
+  Matrix moment{};
+  Vec<D> sum{};
+  for (const std::uint32_t j : neighbours) {
+    if (!counts(j)) continue;
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    const double weight = mps_weight(std::sqrt(r2), re) / r2;
+    for (int a = 0; a < D; ++a) {
+      sum[a] += weight * (phi(j) - phi(i)) * d[a];
+      for (int b = 0; b < D; ++b) moment[a][b] += weight * d[a] * d[b];
+    }
+  }
+  return solve_spd<D>(moment, sum, limit * n0 / D);
 }
 
 }  // namespace surge::mps

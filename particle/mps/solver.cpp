@@ -10,6 +10,7 @@
 #include "particle/mps/gradient.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/number_density.hpp"
+#include "particle/mps/velocity_divergence.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::mps {
@@ -47,6 +48,7 @@ Solver<D>::Solver(const Case& c)
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   for (int a = 0; a < D; ++a) correction_[a].assign(p_.size(), 0.0);
+  least_.assign(p_.size(), 0.0);
   unknown_.assign(p_.size(), -1);
   find_neighbours();
   compute_number_density();
@@ -190,29 +192,48 @@ void Solver<D>::compute_number_density() {
   }
 }
 
+template <int D>
+bool Solver<D>::is_on_surface(std::size_t i, const Displacement<D>& displacement) const {
+  if (!on_free_surface(p_.density[i], params_.beta, n0_)) return false;
+  if (params_.surface_offset == 0.0 || on_free_surface(p_.density[i], thin_sheet, n0_)) return true;
+  return neighbour_offset<D>(i, list_.of(i), displacement, re_, n0_, spacing_) > params_.surface_offset;
+}
+
 /// Numbers the particles whose pressure is unknown; the others get p = 0.
 template <int D>
 void Solver<D>::find_free_surface() {
   const auto scope = clock_.measure(Phase::pressure);
   unknowns_ = 0;
+  const Displacement<D> displacement(p_.x, periodicity_);
   for (std::size_t i = 0; i < p_.size(); ++i) {
-    const bool solved = has_pressure(i) && !on_free_surface(p_.density[i], params_.beta, n0_);
+    const bool solved = has_pressure(i) && !is_on_surface(i, displacement);
     unknown_[i] = solved ? static_cast<std::int32_t>(unknowns_++) : -1;
     if (!solved) p_.pressure[i] = 0.0;
   }
 }
 
+/// Pa/m^2, with the sign of the Laplacian turned.
+template <int D>
+double Solver<D>::source(std::size_t i, double dt, const Displacement<D>& displacement) const {
+  if (params_.source == Source::number_density)
+    return poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation);
+  const double divergence = velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, p_.v,
+                                                   [](std::size_t) { return true; });
+  return params_.source_relaxation * mixed_source(divergence, p_.density[i], n0_, rho_, dt, params_.density_share);
+}
+
 template <int D>
 void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const auto scope = clock_.measure(Phase::pressure);
-  assembly_.assemble(p_, list_, Displacement<D>(p_.x, periodicity_), unknown_, unknowns_);
+  const Displacement<D> displacement(p_.x, periodicity_);
+  assembly_.assemble(p_, list_, displacement, unknown_, unknowns_);
   PoissonSystem& system = assembly_.system();
   unknown_pressure_.resize(unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown_[i] < 0) continue;
-    system.rhs[unknown_[i]] = poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation);
+    system.rhs[unknown_[i]] = source(static_cast<std::size_t>(i), dt, displacement);
     unknown_pressure_[unknown_[i]] = p_.pressure[i];
   }
   const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
@@ -234,18 +255,15 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
 }
 
 // Eq. (11)
-/// v' = -dt/rho grad P. The gradient is Eq. (13), in which the neighbourhood minimum of Eq. (6)
-/// stands where the paper prints P_i.
+/// v' = -dt/rho grad P.
 template <int D>
 void Solver<D>::correct(double dt, StepReport& report) {
   {
     const auto scope = clock_.measure(Phase::forces);
     const Displacement<D> displacement(p_.x, periodicity_);
-    const auto pressure = [&](std::size_t j) { return p_.pressure[j]; };
-    const auto counts = [&](std::size_t j) { return has_pressure(j); };
+    find_minima(displacement);
     for_each_fluid([&](std::size_t i) {
-      const double least = neighbourhood_minimum<D>(i, list_.of(i), displacement, re_, pressure, counts);
-      const Vec<D> grad = gradient<D>(i, list_.of(i), displacement, re_, n0_, least, pressure, counts);
+      const Vec<D> grad = pressure_gradient(i, displacement);
       for (int a = 0; a < D; ++a) correction_[a][i] = -dt / rho_ * grad[a];
     });
     for_each_fluid([&](std::size_t i) {
@@ -253,6 +271,35 @@ void Solver<D>::correct(double dt, StepReport& report) {
     });
   }
   move(dt, correction_, report);
+}
+
+template <int D>
+void Solver<D>::find_minima(const Displacement<D>& displacement) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!has_pressure(i)) continue;
+    least_[i] = neighbourhood_minimum<D>(
+        i, list_.of(i), displacement, re_, [&](std::size_t j) { return p_.pressure[j]; },
+        [&](std::size_t j) { return has_pressure(j); });
+  }
+}
+
+/// Eq. (13), in which the neighbourhood minimum of Eq. (6) stands where the paper prints P_i, or one
+/// of the other models.
+template <int D>
+Vec<D> Solver<D>::pressure_gradient(std::size_t i, const Displacement<D>& displacement) const {
+  const auto pressure = [&](std::size_t j) { return p_.pressure[j]; };
+  const auto least = [&](std::size_t j) { return least_[j]; };
+  const auto counts = [&](std::size_t j) { return has_pressure(j); };
+  if (params_.gradient == GradientModel::conserving)
+    return conserving_gradient<D>(i, list_.of(i), displacement, re_, n0_, pressure, least, counts);
+  if (params_.gradient == GradientModel::corrected && p_.density[i] >= thin_sheet * n0_) {
+    if (const auto grad = corrected_gradient<D>(i, list_.of(i), displacement, re_, n0_, 0.3, pressure, counts))
+      return *grad;
+  }
+  return gradient<D>(i, list_.of(i), displacement, re_, n0_, least_[i], pressure, counts);
 }
 
 template <int D>

@@ -41,7 +41,11 @@ class Solver {
   void compute_number_density();
   void find_free_surface();
   void solve_pressure(double dt, StepReport& report);
+  [[nodiscard]] bool is_on_surface(std::size_t i, const Displacement<D>& displacement) const;
+  [[nodiscard]] double source(std::size_t i, double dt, const Displacement<D>& displacement) const;
   void correct(double dt, StepReport& report);
+  void find_minima(const Displacement<D>& displacement);
+  [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   void measure_speed(StepReport& report);
   void add_viscosity(double dt);
 
@@ -66,6 +70,7 @@ class Solver {
 
   Particles<D> p_;
   std::array<Field, D> correction_;           ///< v' of Eq. (11), m/s
+  Field least_;                               ///< Pa, the neighbourhood minimum of Eq. (6)
   AlignedVector<std::int32_t> unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;
   Field unknown_pressure_;

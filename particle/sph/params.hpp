@@ -13,6 +13,12 @@ enum class WallDensity {
   extrapolated ///< pressure from the fluid nearby, with gravity (Adami, Hu & Adams 2012)
 };
 
+/// What the density diffusion acts on.
+enum class DiffusionOf {
+  density,         ///< the whole density (Molteni & Colagrossi 2009)
+  dynamic_density  ///< the density less its hydrostatic part (Fourtakas et al. 2019)
+};
+
 /// Choices of the SPH method.
 struct Params {
   Kernel kernel = Kernel::quintic_spline;
@@ -24,6 +30,7 @@ struct Params {
   NegativePressure negative_pressure = NegativePressure::keep;
   double artificial_viscosity = 0.0; ///< alpha of Monaghan (1992)
   double density_diffusion = 0.0;    ///< delta of Molteni & Colagrossi (2009)
+  DiffusionOf diffusion_of = DiffusionOf::density;
   WallDensity wall_density = WallDensity::continuity;
   double wall_distance = 0.25;       ///< in l0: no particle's centre comes closer to a wall
   double wall_restitution = 0.0;     ///< ratio of normal speeds after and before a wall collision

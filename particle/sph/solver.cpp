@@ -189,6 +189,9 @@ void Solver<D>::continuity_pass(const K& kernel) {
   if constexpr (Diffusion) source[2 * D + 1] = p_.density.data();
   const bool walls_too = params_.wall_density == WallDensity::continuity;
   const double diffusion = params_.density_diffusion * h_ * c0_;
+  // Without gravity the hydrostatic part is zero: the same sum for both choices.
+  Vec<D> still_gravity{};
+  if (params_.diffusion_of == DiffusionOf::dynamic_density) still_gravity = gravity_;
 
   const auto body = [&](std::size_t i, const Tile<fields>& tile) {
     const bool fluid = is_fluid(i);
@@ -219,7 +222,13 @@ void Solver<D>::continuity_pass(const K& kernel) {
       divergence += continuity<Simd, D>(dv, dx, slope);
       const Simd weight = xsph_weight(volume, kernel.value(r));
       for (int a = 0; a < D; ++a) moved[a] += weight * dv[a];
-      if constexpr (Diffusion) diffused += density_diffusion(load(tile.field[2 * D + 1] + j) - rho_i, volume, slope);
+      if constexpr (Diffusion) {
+        const Simd rho_j = load(tile.field[2 * D + 1] + j);
+        Simd head = 0.0;
+        for (int a = 0; a < D; ++a) head += Simd(still_gravity[a]) * dx[a];
+        const Simd still = hydrostatic_difference<Simd>(head, Simd(0.5) * (rho_i + rho_j), rho0_, c0_, params_.gamma);
+        diffused += density_diffusion<Simd>(rho_j - rho_i - still, volume, slope);
+      }
     }
     double rate = mass_ * stdx::reduce(divergence);
     if (fluid) {

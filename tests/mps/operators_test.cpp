@@ -3,9 +3,11 @@
 #include <cmath>
 
 #include "particle/mps/collision.hpp"
+#include "particle/mps/free_surface.hpp"
 #include "particle/mps/gradient.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/number_density.hpp"
+#include "particle/mps/velocity_divergence.hpp"
 
 namespace surge::mps {
 namespace {
@@ -139,6 +141,124 @@ TEST(Gradient, MinimumMakesEveryPairRepel) {
   const auto phi = [&](std::size_t j) { return p[j]; };
   const Vec<2> g = gradient<2>(0, neighbour, displacement, 2.1 * l0, 6.0, 300.0, phi, everyone);
   EXPECT_GE(g[0], 0.0);
+}
+
+/// The lattice with every particle moved by up to 0.2 l0, the same way in each run.
+template <int D>
+Lattice<D> jittered(double radius) {
+  Lattice<D> lattice(5, radius);
+  unsigned state = 12345;
+  for (int a = 0; a < D; ++a)
+    for (double& x : lattice.x[a]) {
+      state = state * 1664525u + 1013904223u;
+      x += (static_cast<double>(state >> 8) / (1u << 24) - 0.5) * 0.4 * l0;
+    }
+  return lattice;
+}
+
+template <int D>
+void expect_corrected_gradient_exact() {
+  const double re = 3.1;
+  // The list reaches farther than re, so that it stays complete when particles have moved.
+  const Lattice<D> lattice = jittered<D>((re + 0.6) * l0);
+  const Displacement<D> displacement(lattice.x, {});
+  const double n0 = reference_number_density<D>(re);
+  const auto phi = [&](std::size_t j) { return 5.0 + 3.0 * lattice.x[0][j] - 2.0 * lattice.x[D - 1][j]; };
+  const auto upper_half = [&](std::size_t j) { return lattice.x[0][j] > -0.5 * l0; };
+  const auto neighbours = lattice.list.of(lattice.middle);
+  const Vec<D> plain =
+      gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, phi(lattice.middle), phi, everyone);
+  EXPECT_GT(std::abs(plain[0] - 3.0), 1e-4) << "the plain model errs here";
+  const auto all = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, 0.3, phi, everyone);
+  const auto half = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, 0.3, phi, upper_half);
+  for (const auto& g : {all, half}) {
+    ASSERT_TRUE(g.has_value());
+    EXPECT_NEAR((*g)[0], 3.0, 1e-10);
+    EXPECT_NEAR((*g)[D - 1], -2.0, 1e-10);
+  }
+}
+
+TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles2D) { expect_corrected_gradient_exact<2>(); }
+TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles3D) { expect_corrected_gradient_exact<3>(); }
+
+TEST(CorrectedGradient, IsEmptyForNeighboursInALine) {
+  const std::array<Field, 2> x{Field{0.0, l0, -l0, 2.0 * l0}, Field{0.0, l0, -l0, 2.0 * l0}};
+  const std::array<std::uint32_t, 3> neighbours{1, 2, 3};
+  const auto phi = [&](std::size_t j) { return x[0][j]; };
+  EXPECT_FALSE((corrected_gradient<2>(0, neighbours, Displacement<2>(x, {}), 3.1 * l0, 6.0, 0.3, phi, everyone)));
+}
+
+// What i gets from j is the opposite of what j gets from i, for any pressures.
+TEST(ConservingGradient, SumsToZeroOnAnyParticles) {
+  const double re = 2.1;
+  const Lattice<2> lattice = jittered<2>((re + 0.6) * l0);
+  const Displacement<2> displacement(lattice.x, {});
+  const std::size_t n = lattice.x[0].size();
+  Field p(n);
+  for (std::size_t i = 0; i < n; ++i) p[i] = 100.0 + 90.0 * std::sin(static_cast<double>(7 * i));
+  const auto phi = [&](std::size_t j) { return p[j]; };
+  Field least(n);
+  for (std::size_t i = 0; i < n; ++i)
+    least[i] = neighbourhood_minimum<2>(i, lattice.list.of(i), displacement, re * l0, phi, everyone);
+  Vec<2> sum{};
+  double size = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec<2> g = conserving_gradient<2>(i, lattice.list.of(i), displacement, re * l0, 6.5, phi,
+                                            [&](std::size_t j) { return least[j]; }, everyone);
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += g[a];
+    size += std::sqrt(squared_norm<2>(g));
+  }
+  for (const double s : sum) EXPECT_NEAR(s, 0.0, 1e-12 * size);
+}
+
+template <int D>
+void expect_divergence_exact() {
+  const double re = 3.1;
+  const Lattice<D> lattice(4, re * l0);
+  const Displacement<D> displacement(lattice.x, {});
+  std::array<Field, D> v;
+  for (std::size_t j = 0; j < lattice.x[0].size(); ++j) {
+    for (int a = 0; a < D; ++a) v[a].push_back((a + 1.0) * lattice.x[a][j]);
+    v[0].back() += 7.0 * lattice.x[1][j];  // shear has no divergence
+  }
+  const double divergence = velocity_divergence<D>(lattice.middle, lattice.list.of(lattice.middle), displacement,
+                                                   re * l0, reference_number_density<D>(re), v, everyone);
+  EXPECT_NEAR(divergence, D * (D + 1) / 2.0, 1e-10);
+}
+
+TEST(VelocityDivergence, ExactOnLinearFields2D) { expect_divergence_exact<2>(); }
+TEST(VelocityDivergence, ExactOnLinearFields3D) { expect_divergence_exact<3>(); }
+
+TEST(MixedSource, GammaWeighsDivergenceAgainstDensity) {
+  const double rho = 1000.0;
+  const double dt = 1e-3;
+  EXPECT_NEAR(mixed_source(0.0, 6.6, 6.0, rho, dt, 1.0), rho / (dt * dt) * 0.1, 1e-3);  // Eq. (12)
+  EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.0), 2.0 * rho / dt, 1e-6);
+  EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.01), 0.99 * 2.0 * rho / dt + 0.01 * 0.1 * rho / (dt * dt), 1e-3);
+}
+
+// Square lattice by hand: the first layer of the surface and the second, on either side of 0.3.
+TEST(FreeSurface, OffsetTellsTheFirstLayerFromTheSecond) {
+  for (const double re : {2.1, 3.1}) {
+    const double n0 = reference_number_density<2>(re);
+    const auto by_hand = [&](int first_missing) {
+      double sum = 0.0;
+      for (int k = -4; k <= 4; ++k)
+        for (int m = first_missing; m <= 4; ++m) sum += m * mps_weight(std::hypot(k, m), re);
+      return sum / n0;
+    };
+    for (const int depth : {0, 1}) {
+      Lattice<2> lattice(5, re * l0);
+      // Particles above the surface go far away.
+      for (double& y : lattice.x[1])
+        if (y > (depth + 0.5) * l0) y += 1.0;
+      const double offset = neighbour_offset<2>(lattice.middle, lattice.list.of(lattice.middle),
+                                                Displacement<2>(lattice.x, {}), re * l0, n0, l0);
+      EXPECT_NEAR(offset, by_hand(depth + 1), 1e-10);
+      if (depth == 0) EXPECT_GT(offset, 0.3);
+      else EXPECT_LT(offset, 0.2);
+    }
+  }
 }
 
 TEST(Collision, KeepsMomentumAndSetsTheRelativeSpeed) {

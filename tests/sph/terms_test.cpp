@@ -57,6 +57,41 @@ TEST(DensityDiffusion, IsTheLaplacian) {
   EXPECT_NEAR(sum, 4.0, 0.02);
 }
 
+// Water at rest has rho(p) with p = rho g depth: what the correction takes off is what is there, so
+// the diffusion of the dynamic density vanishes pair by pair, and with one-sided neighbours too.
+TEST(DensityDiffusion, OfTheDynamicDensityVanishesInStillWater) {
+  const double c0 = 20.0;
+  const double g = 9.81;
+  for (const double gamma : {7.0, 1.0}) {
+    // d rho/dz = rho g / c^2 integrates to rho^(gamma-1) = rho0^(gamma-1) (1 + (gamma-1) g z / c0^2)
+    const auto still = [&](double z) {
+      if (gamma == 1.0) return rho * std::exp(g * z / (c0 * c0));
+      return rho * std::pow(1.0 + (gamma - 1.0) * g * z / (c0 * c0), 1.0 / (gamma - 1.0));
+    };
+    for (const double depth : {0.05, 0.2, 0.4}) {
+      double plain = 0.0;
+      double dynamic = 0.0;
+      over_lattice([&](const auto& dx, double, double slope) {
+        if (dx[1] < 0.0) return;  // neighbours on one side only, as at a surface
+        const double rho_i = still(depth);
+        const double rho_j = still(depth + dx[1]);
+        const double difference = rho_j - rho_i;
+        const double part = hydrostatic_difference(g * dx[1], 0.5 * (rho_i + rho_j), rho, c0, gamma);
+        plain += density_diffusion(difference, mass / rho, slope);
+        dynamic += density_diffusion(difference - part, mass / rho, slope);
+      });
+      EXPECT_GT(plain, 1.0);
+      // (1 + x)^(gamma-1) is taken to first order: 15 x^2 with x = rho/rho0 - 1 = 1 % at 0.4 m.
+      EXPECT_LT(std::abs(dynamic), 3e-3 * plain) << "gamma " << gamma << ", depth " << depth;
+    }
+  }
+}
+
+TEST(DensityDiffusion, HydrostaticPartOfAPairIsAntisymmetric) {
+  EXPECT_EQ(hydrostatic_difference(0.3, 1004.0, rho, 20.0, 7.0), -hydrostatic_difference(-0.3, 1004.0, rho, 20.0, 7.0));
+  EXPECT_EQ(hydrostatic_difference(0.0, 1004.0, rho, 20.0, 7.0), 0.0);
+}
+
 // Eq. (22) on a linear pressure field: -(1/rho) grad p.
 TEST(PressureTerm, GradientOfALinearField) {
   const double slope_x = 9810.0;

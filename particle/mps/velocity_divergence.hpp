@@ -1,0 +1,37 @@
+#pragma once
+
+#include "particle/mps/number_density.hpp"
+
+namespace surge::mps {
+
+/// Velocity divergence by the gradient model of Eq. (5), 1/s:
+///   <div v>_i = d/n0 sum_{j != i} (v_j - v_i) . (x_j - x_i) / |x_j - x_i|^2 w(|x_j - x_i|).
+/// re in m; v in m/s. The flux that all particles on one side of a plane see through it is the one
+/// that the Laplacian model balances, so a wall at rest holds up still water.
+template <int D, class Counts>
+double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbours,
+                           const Displacement<D>& displacement, double re, double n0, const std::array<Field, D>& v,
+                           Counts&& counts) {
+  double sum = 0.0;
+  for (const std::uint32_t j : neighbours) {
+    if (!counts(j)) continue;
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    double approach = 0.0;
+    for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
+    sum += approach / r2 * mps_weight(std::sqrt(r2), re);
+  }
+  return D / n0 * sum;
+}
+
+/// Right side of the pressure equation with its sign turned, Pa/m^2, by Tanaka & Masunaga (2010),
+/// J. Comput. Phys. 229, Eq. 18:
+///   -<lap P>_i = -(1 - gamma) rho/dt div v* + gamma rho/dt^2 (n - n0)/n0.
+/// The divergence keeps the flow free of compression; the density error, which drives the pressure
+/// noise of Eq. (12), only takes back the drift: a share gamma of it in each step.
+inline double mixed_source(double divergence, double n, double n0, double rho, double dt, double gamma) {
+  return rho / dt * (gamma / dt * (n - n0) / n0 - (1.0 - gamma) * divergence);
+}
+
+}  // namespace surge::mps
