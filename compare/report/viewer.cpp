@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_times = 101;
+constexpr std::size_t most_times = 100;
 /// A film of fewer pictures is none: rather a run less.
 constexpr std::size_t fewest_times = 26;
 constexpr std::size_t most_runs = 6;
@@ -65,7 +65,8 @@ std::vector<const RunResult*> candidates(const StudyResult& study) {
   return runs;
 }
 
-/// Of the run that lasts longest; every stride-th and the last.
+/// Of the run that lasts longest: the last and every stride-th before it, but not the start, for
+/// which no program has computed a pressure.
 std::vector<Seconds> times_of(const std::vector<const RunResult*>& runs, std::size_t most) {
   const std::vector<Seconds>* longest = nullptr;
   for (const RunResult* run : runs) {
@@ -73,10 +74,10 @@ std::vector<Seconds> times_of(const std::vector<const RunResult*>& runs, std::si
     if (longest == nullptr || times.back() > longest->back()) longest = &times;
   }
   const std::size_t steps = longest->size() - 1;
-  const std::size_t stride = std::max<std::size_t>(1, (steps + most - 2) / (most - 1));
+  const std::size_t stride = std::max<std::size_t>(1, (steps + most - 1) / most);
   std::vector<Seconds> times;
-  for (std::size_t i = 0; i < steps; i += stride) times.push_back((*longest)[i]);
-  times.push_back(longest->back());
+  for (std::size_t i = steps; i > 0; i -= std::min(i, stride)) times.push_back((*longest)[i]);
+  std::reverse(times.begin(), times.end());
   return times;
 }
 

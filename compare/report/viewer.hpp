@@ -18,7 +18,7 @@ struct ViewerPlan {
   std::vector<Seconds> times;
 };
 
-/// The reference and the first run of each other method and preset, at most 101 times. Fewer times,
+/// The reference and the first run of each other method and preset, at most 100 times. Fewer times,
 /// then fewer runs (the one with the most water goes first, never the reference) keep the text of
 /// the data near `budget` bytes.
 [[nodiscard]] ViewerPlan plan_viewer(const StudyResult& study, double budget = 6e6);
