@@ -65,13 +65,16 @@ std::vector<const RunResult*> candidates(const StudyResult& study) {
   return runs;
 }
 
-/// Of the run that lasts longest: the last and every stride-th before it, but not the start, for
-/// which no program has computed a pressure.
+/// Of the run that lasts longest, of several the one with the fewest frames: the last time and
+/// every stride-th before it, but not the start, for which no program has computed a pressure.
 std::vector<Seconds> times_of(const std::vector<const RunResult*>& runs, std::size_t most) {
   const std::vector<Seconds>* longest = nullptr;
   for (const RunResult* run : runs) {
     const auto& times = run->measured->run.frames->times();
-    if (longest == nullptr || times.back() > longest->back()) longest = &times;
+    const double later = longest ? (times.back() - longest->back()).value() : 1.0;
+    // Times of different programs differ by rounding.
+    const bool as_late = std::abs(later) < 1e-6;
+    if (as_late ? times.size() < longest->size() : later > 0.0) longest = &times;
   }
   const std::size_t steps = longest->size() - 1;
   const std::size_t stride = std::max<std::size_t>(1, (steps + most - 1) / most);
@@ -124,7 +127,8 @@ Shown encode(const StudyResult& study, const ViewerPlan& plan, const RunResult* 
   SurfaceTrack surface;
   Shown shown;
   for (Seconds time : plan.times) {
-    const auto index = frame_near(run.frames->times(), time);
+    auto index = frame_near(run.frames->times(), time);
+    if (index == std::size_t{0}) index = run.frames->times().size() > 1 ? 1 : 0;  // as in times_of
     const WaterPicture picture =
         index ? water_picture(run.frames->read(*index, {.pressure = true, .velocity = true}), run)
               : WaterPicture{};

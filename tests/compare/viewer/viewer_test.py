@@ -1,6 +1,7 @@
 """The report's viewer in a headless Chromium. Usage: viewer_test.py BUILD_FOLDER; 77 without Chromium."""
 
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -12,6 +13,8 @@ import chromium
 
 SOURCE = Path(__file__).resolve().parents[3]
 BIN = Path(sys.argv.pop(1)).resolve() / "bin"
+# Debian's OpenFOAM finds itself by this.
+os.environ.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
 ARROW_RIGHT, END, SPACE = ("ArrowRight", 39), ("End", 35), (" ", 32, " ")
 
 
@@ -137,8 +140,7 @@ class Viewer(unittest.TestCase):
     def test_without_script_there_are_the_still_figures(self):
         self.browser.call("Emulation.setScriptExecutionDisabled", value=True)
         try:
-            self.browser.call("Page.navigate", url=self.page.as_uri() + "?still")
-            self.browser.call("Page.getLayoutMetrics")
+            self.browser.open(self.page.as_uri() + "?still")
             state = self.browser.js("[document.getElementById('viewer-root').hidden,"
                                     "document.querySelector('.viewer-still').hidden,"
                                     "!!document.querySelector('#fig7 svg')]")
