@@ -127,6 +127,21 @@ std::string run_name(const fs::path& path) {
   return plain.filename().string();
 }
 
+std::optional<std::size_t> frame_near(const std::vector<Seconds>& times, Seconds time) {
+  const auto distance = [&](Seconds t) { return std::abs((t - time).value()); };
+  const auto nearest = std::min_element(
+      times.begin(), times.end(), [&](Seconds a, Seconds b) { return distance(a) < distance(b); });
+  const auto index = static_cast<std::size_t>(nearest - times.begin());
+  double interval = 0.0;
+  if (index > 0) interval = (times[index] - times[index - 1]).value();
+  if (index + 1 < times.size()) {
+    interval = std::max(interval, (times[index + 1] - times[index]).value());
+  }
+  // Rounded times are not a reason to miss a frame.
+  if (distance(*nearest) > 0.5 * interval + 1e-9) return std::nullopt;
+  return index;
+}
+
 Seconds time_of(const Frame& frame) {
   return std::visit([](const auto& f) { return f.time; }, frame);
 }

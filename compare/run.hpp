@@ -56,6 +56,10 @@ class FrameReader {
   [[nodiscard]] virtual Frame read(std::size_t index, Fields fields) = 0;
 };
 
+/// Index of the frame nearest to a time; empty where none is within half a frame interval of it.
+[[nodiscard]] std::optional<std::size_t> frame_near(const std::vector<Seconds>& times,
+                                                    Seconds time);
+
 /// What the user says about a source that its files do not say, or say under other names.
 struct SourceOptions {
   std::optional<Metres> column_width;   ///< --column-width

@@ -35,22 +35,6 @@ struct Layout {
   [[nodiscard]] double pixels() const { return 11.0 * scale(); }       ///< per L: 280 per inch
 };
 
-/// Index of the frame nearest to a time; empty where none is within half a frame interval of it.
-std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds time) {
-  const auto distance = [&](Seconds t) { return std::abs((t - time).value()); };
-  const auto nearest = std::min_element(
-      times.begin(), times.end(), [&](Seconds a, Seconds b) { return distance(a) < distance(b); });
-  const auto index = static_cast<std::size_t>(nearest - times.begin());
-  double interval = 0.0;
-  if (index > 0) interval = (times[index] - times[index - 1]).value();
-  if (index + 1 < times.size()) {
-    interval = std::max(interval, (times[index + 1] - times[index]).value());
-  }
-  // Rounded times are not a reason to miss a frame.
-  if (distance(*nearest) > 0.5 * interval + 1e-9) return std::nullopt;
-  return index;
-}
-
 Panel make_panel(const RunResult& run, Seconds time) {
   Panel panel;
   panel.run = &run;
@@ -59,7 +43,7 @@ Panel make_panel(const RunResult& run, Seconds time) {
     return panel;
   }
   FrameReader& frames = *run.measured->run.frames;
-  const auto index = frame_at(frames.times(), time);
+  const auto index = frame_near(frames.times(), time);
   if (!index) {
     panel.missing = run.note.empty() ? "no frame at this time" : run.note;
     return panel;

@@ -20,7 +20,7 @@ constexpr double visible_fraction = 0.01;
 
 /// From metres and pascals to the units of the picture.
 struct View {
-  double x_origin, floor, length, pressure_scale;
+  double x_origin, floor, length, pressure_scale, speed_scale;
   std::size_t up, depth;
   double middle;  ///< of the tank along the depth, m
   bool three_dimensional;
@@ -36,11 +36,15 @@ struct View {
     // A source that does not state its density is water.
     pressure_scale =
         run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
+    speed_scale = std::sqrt(2.0 * run.physics.gravity_magnitude() * height);
     const Extent& box = run.physics.tank ? *run.physics.tank : run.physics.column;
     middle = 0.5 * (box.lower[depth] + box.upper[depth]);
   }
   [[nodiscard]] double x(double metres) const { return (metres - x_origin) / length; }
   [[nodiscard]] double y(double metres) const { return (metres - floor) / length; }
+  [[nodiscard]] double speed(const Vec3& u) const {
+    return std::hypot(u[0], u[1], u[2]) / speed_scale;
+  }
 };
 
 WaterPicture particle_picture(const ParticleFrame& frame, const Run& run) {
@@ -50,12 +54,14 @@ WaterPicture particle_picture(const ParticleFrame& frame, const Run& run) {
   }
   const View view(run);
   const double half = 0.5 * run.spacing.value();
+  const bool has_velocity = frame.velocity.size() == frame.position.size();
   WaterPicture picture;
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& r = frame.position[i];
     if (view.three_dimensional && std::abs(r[view.depth] - view.middle) > half) continue;
     picture.patches.push_back({view.x(r[0]), view.y(r[view.up]), half / view.length,
-                               half / view.length, frame.pressure[i] / view.pressure_scale, 1.0});
+                               half / view.length, frame.pressure[i] / view.pressure_scale, 1.0,
+                               has_velocity ? view.speed(frame.velocity[i]) : 0.0});
   }
   return picture;
 }
@@ -107,6 +113,7 @@ WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
   if (pressure == nullptr) {
     throw Error(run.path.string() + ": no cell array p, expected one to colour the figure");
   }
+  vtkDataArray* velocity = frame.grid->GetCellData()->GetArray("U");
   const View view(run);
   WaterPicture picture;
   picture.mesh = true;
@@ -127,6 +134,11 @@ WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
                    0.5 * (high(view.up) - low(view.up)) / view.length,
                    pressure->GetComponent(cell, 0) / view.pressure_scale,
                    frame.alpha[static_cast<std::size_t>(cell)]};
+    if (velocity != nullptr) {
+      Vec3 u;
+      velocity->GetTuple(cell, u.data());
+      box.speed = view.speed(u);
+    }
     for (double sx : {-1.0, 1.0}) {
       for (double sy : {-1.0, 1.0}) {
         corners.add(box.x + sx * box.half_x, box.y + sy * box.half_y, box.fraction);

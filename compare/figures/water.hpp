@@ -14,6 +14,7 @@ struct WaterPatch {
   double half_x = 0.0, half_y = 0.0;  ///< radius of a particle, half the edges of a cell
   double pressure = 0.0;              ///< p/(rho g H), H the column's height
   double fraction = 1.0;              ///< volume fraction of water
+  double speed = 0.0;                 ///< |u|/sqrt(2gH); 0 where the frame has no velocity
 };
 
 struct Segment {

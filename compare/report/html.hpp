@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace surge::compare {
@@ -49,7 +50,8 @@ class Values {
 [[nodiscard]] std::string inline_svg(const std::filesystem::path& file, const std::string& name,
                                      const std::string& label);
 
-/// The whole page; `body` is HTML.
-[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+/// The whole page; `body` is HTML, `more_style` is CSS besides the page's own.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body,
+                                    std::string_view more_style);
 
 }  // namespace surge::compare

@@ -37,11 +37,12 @@ code { font-size: .92em; overflow-wrap: anywhere; }
 
 }  // namespace
 
-std::string html_page(const std::string& title, const std::string& body) {
+std::string html_page(const std::string& title, const std::string& body,
+                      std::string_view more_style) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escape(title) + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n" + body +
-         "</body>\n</html>\n";
+         escape(title) + "</title>\n<style>" + style + std::string(more_style) +
+         "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
 }
 
 }  // namespace surge::compare

@@ -6,6 +6,7 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/report/sections.hpp"
+#include "compare/report/viewer.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -63,7 +64,7 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
   }
   const Page page{study, Values(numbers), figures, folder};
   write_text(out / "metrics.json", numbers.dump(1) + "\n");
-  write_text(out / "index.html", html_page(study.study.title, body_of(page)));
+  write_text(out / "index.html", html_page(study.study.title, body_of(page), viewer_style()));
   return numbers;
 }
 

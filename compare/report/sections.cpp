@@ -2,11 +2,14 @@
 
 #include <array>
 
+#include "compare/report/viewer.hpp"
+
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 6> sections{
+  static const std::array<Section, 7> sections{
       {{"summary", "", measure_summary, write_summary},
+       {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_nothing, write_figures},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
        {"experiments", "Published series", measure_nothing, write_experiments},

@@ -1,0 +1,20 @@
+# Run by the build: writes a source that holds the viewer's files as text, so that the report is one
+# file. Variables: FOLDER, OUTPUT.
+function(embed function)
+  set(text "")
+  foreach(file IN LISTS ARGN)
+    file(READ "${FOLDER}/${file}" content)
+    string(APPEND text "${content}")
+  endforeach()
+  string(FIND "${text}" "]]>" end)
+  if(NOT end EQUAL -1)
+    message(FATAL_ERROR "${ARGN}: ]]> found, which would end the page's CDATA section")
+  endif()
+  set(source "${source}\nstd::string_view ${function}() {\n  return R\"viewer(${text})viewer\";\n}\n" PARENT_SCOPE)
+endfunction()
+
+set(source "#include \"compare/report/viewer.hpp\"\n\nnamespace surge::compare {\n")
+embed(viewer_html viewer.html)
+embed(viewer_style viewer.css)
+embed(viewer_script viewer_water.js viewer_plot.js viewer.js)
+file(WRITE "${OUTPUT}" "${source}\n}  // namespace surge::compare\n")

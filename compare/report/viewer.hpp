@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/report/study_result.hpp"
+
+namespace surge::compare {
+
+struct Page;
+
+/// What the viewer shows: a panel per run, one sequence of times for all.
+struct ViewerPlan {
+  std::vector<const RunResult*> runs;      ///< in the study's order
+  std::vector<const RunResult*> left_out;  ///< measured, but not shown
+  std::vector<Seconds> times;
+};
+
+/// The reference and the first run of each other method and preset, at most 100 times. Fewer times,
+/// then fewer runs (the one with the most water goes first, never the reference) keep the text of
+/// the data near `budget` bytes.
+[[nodiscard]] ViewerPlan plan_viewer(const StudyResult& study, double budget = 6e6);
+
+/// Adds "viewer": times, the fronts at these times and the range of the colours.
+void measure_viewer(const StudyResult& study, nlohmann::json& metrics);
+/// Controls, data and script. Without JavaScript only a pointer to the still figures is seen.
+[[nodiscard]] std::string write_viewer(const Page& page);
+
+/// Files beside this one, built into the program.
+[[nodiscard]] std::string_view viewer_html();
+[[nodiscard]] std::string_view viewer_style();
+[[nodiscard]] std::string_view viewer_script();
+
+}  // namespace surge::compare
