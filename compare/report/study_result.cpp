@@ -134,8 +134,22 @@ WallRule StudyResult::wall() const {
   return wall_of(reference_run().run.physics);
 }
 
+std::optional<Seconds> StudyResult::impact_time() const {
+  const MeasuredRun& reference = reference_run();
+  const auto far = reference.run.physics.far_wall();
+  const auto hit = far ? impact(reference.history, *far, reference.run.spacing) : std::nullopt;
+  return hit ? std::optional(hit->time) : std::nullopt;
+}
+
+const PatternHistory& StudyResult::pattern(const RunResult& run) const {
+  const auto known = patterns_.find(run.study.name);
+  if (known != patterns_.end()) return known->second;
+  return patterns_[run.study.name] = measure_pattern(run.measured->run, reference_run().run);
+}
+
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
-  StudyResult result{study, {}, {}, {}};
+  StudyResult result;
+  result.study = study;
   for (const auto& name : study.published) {
     result.published.push_back(read_series(series_folder / (name + ".csv")));
   }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/flow_pattern.hpp"
 #include "compare/metrics.hpp"
 #include "compare/series.hpp"
 #include "compare/study.hpp"
@@ -45,6 +47,13 @@ struct StudyResult {
   /// Runs that have a front, in the study's order.
   [[nodiscard]] std::vector<const RunResult*> measured() const;
   [[nodiscard]] WallRule wall() const;
+  /// When the reference's front is at the far wall; empty where it never is.
+  [[nodiscard]] std::optional<Seconds> impact_time() const;
+  /// Flow pattern of a measured run; its frames are read at the first call and not again.
+  [[nodiscard]] const PatternHistory& pattern(const RunResult& run) const;
+
+ private:
+  mutable std::map<std::string, PatternHistory> patterns_;
 };
 
 /// Finds each run's status, and the fronts of those that can be compared with the reference.
