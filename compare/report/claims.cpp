@@ -1,6 +1,7 @@
 #include "compare/report/claims.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "compare/figures/table.hpp"
@@ -15,6 +16,7 @@ namespace {
 /// number change in the VOF solution (0.01 to 0.03).
 constexpr double good_agreement = 0.05;
 constexpr double alike = 0.9;         ///< overlap of the fluid regions
+constexpr double quadratic = 0.15;    ///< deviation of the exponent from two
 constexpr double fragmented = 0.005;  ///< part of the water that is detached after the impact
 
 const char* const reproduced = "reproduced";
@@ -235,6 +237,26 @@ Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
   return claim;
 }
 
+Claim growth_claim(const json& metrics) {
+  Claim claim{"grows_quadratically",
+              "Without a neighbour search the time grows as the square of the number of particles.",
+              "Section 5.2",
+              "exponent of the time per step over the number of all particles within " +
+                  fixed_text(quadratic, 2) + " of two for both methods with the all-pairs search",
+              "",
+              {}};
+  std::size_t met = 0, all = 0;
+  for (const auto& [name, curve] : metrics["scaling"].items()) {
+    const json exponent = number_at(curve, json::json_pointer("/fit_per_step/exponent"));
+    claim.evidence.push_back({"exponent, " + curve["label"].get<std::string>(), exponent});
+    if (curve["search"] != "all_pairs" || !exponent.is_number()) continue;
+    ++all;
+    met += std::abs(exponent.get<double>() - 2.0) <= quadratic ? 1 : 0;
+  }
+  claim.verdict = verdict_of(met, all, "the method");
+  return claim;
+}
+
 Claim clustering_claim(const StudyResult& study, const json& metrics) {
   Claim claim = pair_claim(
       study, metrics,
@@ -290,15 +312,11 @@ Claim robustness_claim(const StudyResult& study) {
 }  // namespace
 
 std::vector<Claim> find_claims(const StudyResult& study, const json& metrics) {
-  return {agreement_claim(study, metrics, "mps"),
-          agreement_claim(study, metrics, "sph"),
-          accuracy_claim(study, metrics),
-          pattern_claim(study, metrics),
-          fragmentation_claim(study, metrics),
-          cost_claim(study, metrics),
-          pressure_claim(study, metrics),
-          clustering_claim(study, metrics),
-          robustness_claim(study)};
+  return {agreement_claim(study, metrics, "mps"), agreement_claim(study, metrics, "sph"),
+          accuracy_claim(study, metrics),         pattern_claim(study, metrics),
+          fragmentation_claim(study, metrics),    cost_claim(study, metrics),
+          pressure_claim(study, metrics),         growth_claim(metrics),
+          clustering_claim(study, metrics),       robustness_claim(study)};
 }
 
 }  // namespace surge::compare

@@ -5,9 +5,10 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 8> sections{
+  static const std::array<Section, 9> sections{
       {{"summary", "", measure_summary, write_summary},
        {"figures", "Figures", measure_nothing, write_figures},
+       {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
        {"claims", "The paper’s statements", measure_claims, write_claims},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
        {"experiments", "Published series", measure_nothing, write_experiments},

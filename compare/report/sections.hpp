@@ -41,6 +41,8 @@ void measure_runs(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_experiments(const Page& page);
 void measure_claims(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_claims(const Page& page);
+void measure_scaling(const StudyResult& study, nlohmann::json& metrics);
+[[nodiscard]] std::string write_scaling(const Page& page);
 void measure_errata(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_errata(const Page& page);
 void measure_deviations(const StudyResult& study, nlohmann::json& metrics);

@@ -34,12 +34,19 @@ struct RunResult {
   [[nodiscard]] std::optional<Seconds> last_time() const;
 };
 
+/// A run that was made to be timed: only its manifest counts.
+struct TimedRun {
+  StudyRun study;
+  nlohmann::json manifest;  ///< null where the run is missing, unfinished or not readable
+};
+
 /// Everything that figures and report sections are made from.
 struct StudyResult {
   Study study;
   std::vector<RunResult> runs;             ///< in the study's order, none left out
   std::vector<MeasuredRun> measured_runs;  ///< those that could be; the reference is the first
   std::vector<PublishedSeries> published;
+  std::vector<TimedRun> timed;  ///< those of the study's runs that `runs` leaves out
 
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
   [[nodiscard]] const RunResult& reference() const;
