@@ -59,7 +59,7 @@ Figure cost_figure(const StudyResult& study) {
   figure.name = "fig9";
   figure.title = "Fig. 9. Processing time over the number of fluid particles";
   figure.width_mm = double_column_mm;
-  figure.height_mm = 75.0;
+  figure.height_mm = 95.0;
   Table table = cost_table(curves);
   if (table.rows.empty()) {
     figure.caption = "This study has no timed runs; the full study has.";
@@ -74,7 +74,7 @@ Figure cost_figure(const StudyResult& study) {
       "where the table says so. Medians of the repeats, setup and output left out; the exponents "
       "are over all particles, walls included, with their 95 % intervals.";
   figure.script =
-      "set multiplot layout 1,2\nset logscale xy\nset key top left\n"
+      "set multiplot layout 1,2\nset logscale xy\nset key below left Left reverse maxcols 1\n"
       "set xlabel \"fluid particles\"\nset ylabel \"ms per step\"\n" +
       panel(curves, "ms_per_step", "fit_per_step") + "set ylabel \"total, s\"\n" +
       panel(curves, "total_s", "fit_total") + "unset multiplot\n";
