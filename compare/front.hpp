@@ -62,6 +62,14 @@ class MeshFront {
   [[nodiscard]] std::optional<double> leading_edge(const MeshFrame& frame, const Physics& physics,
                                                    const FrontOptions& options);
 
+  /// Connected bodies of water: corners of at least `level` volume fraction that share the edge of
+  /// a face belong together; the corner values are those of leading_edge.
+  struct Bodies {
+    std::vector<double> volumes;  ///< m^3 of water at the corners of each body, decreasing
+    double all = 0.0;             ///< m^3 of water in all cells
+  };
+  [[nodiscard]] Bodies pieces(const MeshFrame& frame, double level);
+
  private:
   struct Topology;
   std::unique_ptr<Topology> topology_;

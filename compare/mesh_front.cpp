@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -207,6 +208,26 @@ void MeshFront::Topology::spread(const std::vector<double>& alpha,
 
 namespace {
 
+/// Unites the corners of at least `level` that share the edge of a face.
+UnionFind bodies_of(const std::vector<Edge>& edges, const std::vector<double>& alpha,
+                    double level) {
+  UnionFind sets(alpha.size());
+  for (const auto& [a, b] : edges) {
+    if (alpha[a] >= level && alpha[b] >= level) sets.unite(a, b);
+  }
+  return sets;
+}
+
+/// Water of each body, at the corner that stands for it.
+std::vector<double> body_volumes(UnionFind& sets, const std::vector<double>& alpha,
+                                 const std::vector<double>& water, double level) {
+  std::vector<double> volume(alpha.size(), 0.0);
+  for (std::size_t p = 0; p < alpha.size(); ++p) {
+    if (alpha[p] >= level) volume[sets.find(p)] += water[p];
+  }
+  return volume;
+}
+
 /// The corners of the largest connected body of water (of all water if `everything`).
 std::vector<char> main_body(const std::vector<Edge>& edges, const std::vector<double>& alpha,
                             const std::vector<double>& water, bool everything) {
@@ -215,14 +236,8 @@ std::vector<char> main_body(const std::vector<Edge>& edges, const std::vector<do
     for (std::size_t p = 0; p < alpha.size(); ++p) body[p] = alpha[p] >= interface_level;
     return body;
   }
-  UnionFind sets(alpha.size());
-  for (const auto& [a, b] : edges) {
-    if (alpha[a] >= interface_level && alpha[b] >= interface_level) sets.unite(a, b);
-  }
-  std::vector<double> volume(alpha.size(), 0.0);
-  for (std::size_t p = 0; p < alpha.size(); ++p) {
-    if (alpha[p] >= interface_level) volume[sets.find(p)] += water[p];
-  }
+  UnionFind sets = bodies_of(edges, alpha, interface_level);
+  const std::vector<double> volume = body_volumes(sets, alpha, water, interface_level);
   const auto largest =
       static_cast<std::size_t>(std::max_element(volume.begin(), volume.end()) - volume.begin());
   for (std::size_t p = 0; p < alpha.size(); ++p) {
@@ -305,6 +320,21 @@ std::optional<double> MeshFront::leading_edge(const MeshFrame& frame, const Phys
     }
   }
   return reach.edge();
+}
+
+MeshFront::Bodies MeshFront::pieces(const MeshFrame& frame, double level) {
+  if (!topology_ || !topology_->describes(*frame.grid))
+    topology_ = std::make_unique<Topology>(*frame.grid);
+  std::vector<double> alpha;
+  std::vector<double> water;
+  topology_->spread(frame.alpha, alpha, water);
+  UnionFind sets = bodies_of(topology_->edges, alpha, level);
+  Bodies bodies;
+  bodies.volumes = body_volumes(sets, alpha, water, level);
+  std::erase_if(bodies.volumes, [](double volume) { return volume <= 0.0; });
+  std::sort(bodies.volumes.begin(), bodies.volumes.end(), std::greater<>());
+  bodies.all = std::accumulate(water.begin(), water.end(), 0.0);
+  return bodies;
 }
 
 }  // namespace surge::compare

@@ -26,6 +26,7 @@ StudyRun read_run(const TomlTable& table) {
       throw table.error("set", "\"" + setting + "\"", "\"key=value\"");
   }
   run.threads = static_cast<int>(table.integer_or("threads", 1, surge::Bounds::closed(1, 4096)));
+  run.timing = table.boolean_or("timing", false);
   // Of no concern here: compare/studies/study.py, which schedules the runs, goes by them.
   static_cast<void>(table.boolean_or("timed", true));
   static_cast<void>(table.boolean_or("may_break", false));
@@ -50,14 +51,21 @@ Study read_study(const std::filesystem::path& file) {
   if (root.has("published")) study.published = root.texts("published");
   std::set<std::string> names;
   for (const TomlTable& table : root.tables("run")) {
-    study.runs.push_back(read_run(table));
-    if (!names.insert(study.runs.back().name).second) {
-      throw table.error("name", "\"" + study.runs.back().name + "\" a second time",
-                        "different names");
+    const StudyRun first = read_run(table);
+    const auto repeats = table.integer_or("repeats", 1, surge::Bounds::closed(1, 99));
+    for (long k = 1; k <= repeats; ++k) {
+      StudyRun run = first;
+      if (k > 1) run.name += "-repeat" + std::to_string(k);
+      if (!names.insert(run.name).second)
+        throw table.error("name", "\"" + run.name + "\" a second time", "different names");
+      study.runs.push_back(std::move(run));
     }
   }
   if (study.runs.empty()) throw root.error("run", "no run", "at least one [[run]]");
-  if (!names.contains(study.reference)) {
+  const auto is_reference = [&](const StudyRun& run) {
+    return run.name == study.reference && !run.timing;
+  };
+  if (std::none_of(study.runs.begin(), study.runs.end(), is_reference)) {
     throw root.error("reference", "\"" + study.reference + "\"", "the name of one of the runs");
   }
   root.finish();

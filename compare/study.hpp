@@ -15,6 +15,7 @@ struct StudyRun {
   std::filesystem::path case_path;    ///< as written, relative to the repository
   std::vector<std::string> settings;  ///< "key=value"
   int threads = 1;
+  bool timing = false;  ///< made to be timed only: it counts for the cost, not for the flow
 };
 
 /// compare/studies/*.toml

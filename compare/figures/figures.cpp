@@ -8,11 +8,12 @@
 namespace surge::compare {
 
 std::span<const FigureDefinition> all_figures() {
-  static const std::array<FigureDefinition, 4> figures{
+  static const std::array<FigureDefinition, 5> figures{
       {{"fig6", geometry_figure},
        {"fig7", snapshot_figure},
        {"fig8", leading_edge_figure},
-       {"fig8_shifted", shifted_leading_edge_figure}}};
+       {"fig8_shifted", shifted_leading_edge_figure},
+       {"fig9", cost_figure}}};
   return figures;
 }
 

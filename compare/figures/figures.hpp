@@ -19,6 +19,9 @@ namespace surge::compare {
 /// Fig. 8 with each published series moved in time to where it fits the reference best.
 [[nodiscard]] Figure shifted_leading_edge_figure(const StudyResult& study);
 
+/// Fig. 9: solving time over the number of fluid particles, from the study's timed runs.
+[[nodiscard]] Figure cost_figure(const StudyResult& study);
+
 /// One entry of the catalogue; number as in the paper, and a name for `surge-compare figure NAME`.
 struct FigureDefinition {
   std::string name;

@@ -7,13 +7,16 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 7> sections{
+  static const std::array<Section, 10> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_nothing, write_figures},
+       {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
+       {"claims", "The paper’s statements", measure_claims, write_claims},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
        {"experiments", "Published series", measure_nothing, write_experiments},
        {"deviations", "Where the runs depart from the paper", measure_deviations, write_deviations},
+       {"errata", "Where the paper errs", measure_errata, write_errata},
        {"provenance", "Provenance", measure_provenance, write_provenance}}};
   return sections;
 }

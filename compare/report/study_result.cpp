@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <optional>
 
 #include "compare/figures/table.hpp"
@@ -84,6 +85,14 @@ std::optional<MeasuredRun> collect_run(RunResult& result, const fs::path& folder
   }
 }
 
+TimedRun timed_run(const StudyRun& run, const fs::path& folder) {
+  std::ifstream in(folder / "manifest.json");
+  nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
+  const bool good = manifest.is_object() && manifest.value("finished", false) &&
+                    manifest.contains("case") && manifest.contains("wall_s");
+  return {run, good ? std::move(manifest) : nlohmann::json()};
+}
+
 }  // namespace
 
 std::string status_text(RunStatus status) {
@@ -134,8 +143,22 @@ WallRule StudyResult::wall() const {
   return wall_of(reference_run().run.physics);
 }
 
+std::optional<Seconds> StudyResult::impact_time() const {
+  const MeasuredRun& reference = reference_run();
+  const auto far = reference.run.physics.far_wall();
+  const auto hit = far ? impact(reference.history, *far, reference.run.spacing) : std::nullopt;
+  return hit ? std::optional(hit->time) : std::nullopt;
+}
+
+const PatternHistory& StudyResult::pattern(const RunResult& run) const {
+  const auto known = patterns_.find(run.study.name);
+  if (known != patterns_.end()) return known->second;
+  return patterns_[run.study.name] = measure_pattern(run.measured->run, reference_run().run);
+}
+
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
-  StudyResult result{study, {}, {}, {}};
+  StudyResult result;
+  result.study = study;
   for (const auto& name : study.published) {
     result.published.push_back(read_series(series_folder / (name + ".csv")));
   }
@@ -145,6 +168,10 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
   const MeasuredRun& reference =
       result.measured_runs.emplace_back(measure_reference(study, runs / study.reference, options));
   for (const auto& run : study.runs) {
+    if (run.timing) {
+      result.timed.push_back(timed_run(run, runs / run.name));
+      continue;
+    }
     RunResult entry{run, RunStatus::missing, "", nullptr};
     if (run.name == study.reference) {
       entry.measured = &reference;

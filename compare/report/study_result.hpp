@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "compare/flow_pattern.hpp"
 #include "compare/metrics.hpp"
 #include "compare/series.hpp"
 #include "compare/study.hpp"
@@ -32,12 +34,19 @@ struct RunResult {
   [[nodiscard]] std::optional<Seconds> last_time() const;
 };
 
+/// A run that was made to be timed: only its manifest counts.
+struct TimedRun {
+  StudyRun study;
+  nlohmann::json manifest;  ///< null where the run is missing, unfinished or not readable
+};
+
 /// Everything that figures and report sections are made from.
 struct StudyResult {
   Study study;
   std::vector<RunResult> runs;             ///< in the study's order, none left out
   std::vector<MeasuredRun> measured_runs;  ///< those that could be; the reference is the first
   std::vector<PublishedSeries> published;
+  std::vector<TimedRun> timed;  ///< those of the study's runs that `runs` leaves out
 
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
   [[nodiscard]] const RunResult& reference() const;
@@ -45,6 +54,13 @@ struct StudyResult {
   /// Runs that have a front, in the study's order.
   [[nodiscard]] std::vector<const RunResult*> measured() const;
   [[nodiscard]] WallRule wall() const;
+  /// When the reference's front is at the far wall; empty where it never is.
+  [[nodiscard]] std::optional<Seconds> impact_time() const;
+  /// Flow pattern of a measured run; its frames are read at the first call and not again.
+  [[nodiscard]] const PatternHistory& pattern(const RunResult& run) const;
+
+ private:
+  mutable std::map<std::string, PatternHistory> patterns_;
 };
 
 /// Finds each run's status, and the fronts of those that can be compared with the reference.

@@ -14,7 +14,7 @@ import re
 import shutil
 import subprocess
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 BUILD = Path("build/release")
@@ -23,7 +23,8 @@ REFERENCE = Path("compare/reference")
 RUNS = Path("runs")
 REPORT = Path("report")
 NO_CODE = ("version.cpp.o", "preset_files.cpp.o")  # the commit; the presets, looked at one by one
-RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break")
+RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break", "timing",
+            "repeats")
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
@@ -150,11 +151,24 @@ def load(path: Path) -> Study:
     lines = [n for n, line in enumerate(text.splitlines(), 1) if header.match(line)]
     if not tables or len(lines) != len(tables):
         raise StudyError(f"{path}: run: found no [[run]] table, expected at least one")
-    runs = tuple(_run(table, f"{path}:{line}") for table, line in zip(tables, lines))
-    for index, run in enumerate(runs):
-        if run.name in [other.name for other in runs[:index]]:
-            raise StudyError(f"{path}:{lines[index]}: name: found '{run.name}' a second time")
-    return Study(Path(path), runs)
+    runs = []
+    for table, line in zip(tables, lines):
+        for run in _repeats(table, f"{path}:{line}"):
+            if run.name in [other.name for other in runs]:
+                raise StudyError(f"{path}:{line}: name: found '{run.name}' a second time")
+            runs.append(run)
+    return Study(Path(path), tuple(runs))
+
+
+def _repeats(table: dict, where: str) -> list[Run]:
+    """The run, and its repetitions, which differ from it in the name only."""
+    run = _run(table, where)
+    count = table.get("repeats", 1)
+    if type(count) is not int or not 1 <= count <= 99:
+        raise StudyError(f"{where}: repeats: found {count!r}, expected a whole number from 1 to 99")
+    if type(table.get("timing", False)) is not bool:
+        raise StudyError(f"{where}: timing: found {table['timing']!r}, expected true or false")
+    return [run] + [replace(run, name=f"{run.name}-repeat{k}") for k in range(2, count + 1)]
 
 
 def _run(table: dict, where: str) -> Run:

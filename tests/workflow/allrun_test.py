@@ -390,6 +390,8 @@ class Mistakes(Project):
         where = "compare/studies/dam_break.toml"
         for wrong, right, expected in [
             ("threads = 2", "threads = 0", f"{where}:15: threads: found 0, expected a whole number >= 1"),
+            ("threads = 2", "repeats = 0", f"{where}:15: repeats: found 0, expected a whole number"),
+            ("threads = 2", "timing = 1", f"{where}:15: timing: found 1, expected true or false"),
             ("threads = 2", "treads = 2", f"{where}:15: treads: found an unknown key"),
             ('name = "second"', 'name = "first"', f"{where}:9: name: found 'first' a second time"),
             ('name = "second"', 'name = "../x"', f"{where}:9: name: found '../x', expected a name"),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "compare/report/study_result.hpp"
+
+namespace surge::compare {
+
+/// A number behind a verdict.
+struct Evidence {
+  std::string what;
+  nlohmann::json value;  ///< a number, or null where the runs do not give it
+};
+
+/// A statement that the paper makes from its results, and what the runs of a study say to it.
+struct Claim {
+  std::string id;
+  std::string statement;
+  std::string place;      ///< in the paper
+  std::string criterion;  ///< by which the verdict is found, with its thresholds
+  std::string verdict;    ///< "reproduced", "not reproduced", "depends on ...", "not measured"
+  std::vector<Evidence> evidence;
+};
+
+/// Adds metrics["patterns"]: per run the overlap with the reference before and after the impact on
+/// the far wall, the water detached from the main body, the smallest distance of particles.
+void measure_patterns(const StudyResult& study, nlohmann::json& metrics);
+
+/// Adds metrics["cost"]: per particle run the time spent solving (setup and output left out), per
+/// step and per simulated second, and the shares of neighbours, pressure and forces.
+void measure_cost(const StudyResult& study, nlohmann::json& metrics);
+
+/// All claims. Needs metrics["front"], ["patterns"], ["cost"] and, for the growth with the number
+/// of particles, ["scaling"] where the study has timed runs.
+[[nodiscard]] std::vector<Claim> find_claims(const StudyResult& study,
+                                             const nlohmann::json& metrics);
+
+}  // namespace surge::compare
