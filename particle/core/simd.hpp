@@ -15,13 +15,15 @@ namespace stdx = std::experimental;
 using Simd = stdx::native_simd<double>;
 inline constexpr std::size_t simd_width = Simd::size();
 
-inline Simd load(const double* p) { return Simd(p, stdx::vector_aligned); }
+inline Simd load(const double* p) {
+  return Simd(p, stdx::vector_aligned);
+}
 
 /// 1/sqrt(x) for x > 0, to a few units in the last place.
 ///
-/// Root and division take most of the time of a pair loop. Where the processor estimates the inverse
-/// root to 14 bits, two Newton steps y (3 - x y^2) / 2 bring it to double precision in a third of
-/// the time.
+/// Root and division take most of the time of a pair loop. Where the processor estimates the
+/// inverse root to 14 bits, two Newton steps y (3 - x y^2) / 2 bring it to double precision in a
+/// third of the time.
 inline Simd inverse_sqrt(Simd x) {
 #if defined(__AVX512F__)
   if constexpr (simd_width == 8) {

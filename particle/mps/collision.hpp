@@ -14,12 +14,14 @@ template <int D>
 class CollisionModel {
  public:
   /// distance: m; restitution: 0 to 1
-  CollisionModel(double distance, double restitution) : distance2_(distance * distance), restitution_(restitution) {}
+  CollisionModel(double distance, double restitution)
+      : distance2_(distance * distance), restitution_(restitution) {}
 
   /// Change of the velocity of fluid particle i; counts the collisions it takes part in.
   template <class Fixed>
-  Vec<D> velocity_change(std::size_t i, std::span<const std::uint32_t> neighbours, const Displacement<D>& displacement,
-                         const std::array<Field, D>& v, Fixed&& fixed, long& collisions) const {
+  Vec<D> velocity_change(std::size_t i, std::span<const std::uint32_t> neighbours,
+                         const Displacement<D>& displacement, const std::array<Field, D>& v,
+                         Fixed&& fixed, long& collisions) const {
     Vec<D> change{};
     for (const std::uint32_t j : neighbours) {
       const Vec<D> d = displacement(i, j);

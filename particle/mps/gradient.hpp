@@ -31,7 +31,8 @@ std::optional<Vec<D>> solve_spd(std::array<Vec<D>, D> a, Vec<D> b, double least_
 /// (Koshizuka, Nobe & Oka 1998). w(0) does not vanish, so i itself is one of them.
 template <int D, class Phi, class Counts>
 double neighbourhood_minimum(std::size_t i, std::span<const std::uint32_t> neighbours,
-                             const Displacement<D>& displacement, double re, Phi&& phi, Counts&& counts) {
+                             const Displacement<D>& displacement, double re, Phi&& phi,
+                             Counts&& counts) {
   double least = phi(i);
   for (const std::uint32_t j : neighbours)
     if (counts(j) && squared_norm<D>(displacement(i, j)) < re * re) least = std::min(least, phi(j));
@@ -43,8 +44,9 @@ double neighbourhood_minimum(std::size_t i, std::span<const std::uint32_t> neigh
 ///   <grad phi>_i = d/n0 sum_{j != i} (phi_j - phi'_i) / |x_j - x_i|^2 (x_j - x_i) w(|x_j - x_i|).
 /// re in m; the result has the unit of phi per m.
 template <int D, class Phi, class Counts>
-Vec<D> gradient(std::size_t i, std::span<const std::uint32_t> neighbours, const Displacement<D>& displacement,
-                double re, double n0, double reference, Phi&& phi, Counts&& counts) {
+Vec<D> gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
+                const Displacement<D>& displacement, double re, double n0, double reference,
+                Phi&& phi, Counts&& counts) {
   Vec<D> sum{};
   for (const std::uint32_t j : neighbours) {
     if (!counts(j)) continue;
@@ -63,23 +65,25 @@ Vec<D> gradient(std::size_t i, std::span<const std::uint32_t> neighbours, const 
 /// gets from j is the opposite of what j gets from i, and never pulls the two together.
 template <int D, class Phi, class Least, class Counts>
 Vec<D> conserving_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
-                           const Displacement<D>& displacement, double re, double n0, Phi&& phi, Least&& least,
-                           Counts&& counts) {
+                           const Displacement<D>& displacement, double re, double n0, Phi&& phi,
+                           Least&& least, Counts&& counts) {
   const double own = phi(i) - least(i);
   // (phi_j - reference) with the reference that makes the sum above out of it
   return gradient<D>(
-      i, neighbours, displacement, re, n0, -own, [&](std::size_t j) { return phi(j) - least(j); }, counts);
+      i, neighbours, displacement, re, n0, -own, [&](std::size_t j) { return phi(j) - least(j); },
+      counts);
 }
 
 /// First-order consistent gradient (Khayyer & Gotoh 2011, J. Comput. Phys. 230, Sec. 2.3):
-///   C_i sum (phi_j - phi_i) (x_j - x_i) / r^2 w,  C_i = [ sum (x_j - x_i)(x_j - x_i)^T / r^2 w ]^-1,
-/// exact for linear fields wherever the neighbours are. Empty where they are too few, or nearly in a
-/// line, for C to be trusted: a pivot of the matrix below `limit` times n0/d, which it is on
-/// the full lattice.
+///   C_i sum (phi_j - phi_i) (x_j - x_i) / r^2 w,  C_i = [ sum (x_j - x_i)(x_j - x_i)^T / r^2 w
+///   ]^-1,
+/// exact for linear fields wherever the neighbours are. Empty where they are too few, or nearly in
+/// a line, for C to be trusted: a pivot of the matrix below `limit` times n0/d, which it is on the
+/// full lattice.
 template <int D, class Phi, class Counts>
 std::optional<Vec<D>> corrected_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
-                                         const Displacement<D>& displacement, double re, double n0, double limit,
-                                         Phi&& phi, Counts&& counts) {
+                                         const Displacement<D>& displacement, double re, double n0,
+                                         double limit, Phi&& phi, Counts&& counts) {
   using Matrix = std::array<Vec<D>, D>;
   Matrix moment{};
   Vec<D> sum{};

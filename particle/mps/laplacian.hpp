@@ -22,7 +22,8 @@ double laplacian_lambda(Lambda choice, double re_over_l0, double l0) {
     case Lambda::lattice:
       break;
   }
-  const double moment = lattice_sum<D>(re_over_l0, [&](double r) { return mps_weight(r, re_over_l0) * r * r; });
+  const double moment =
+      lattice_sum<D>(re_over_l0, [&](double r) { return mps_weight(r, re_over_l0) * r * r; });
   return moment / reference_number_density<D>(re_over_l0) * l0 * l0;
 }
 

@@ -15,7 +15,8 @@ template <int D>
 double number_density(std::size_t i, std::span<const std::uint32_t> neighbours,
                       const Displacement<D>& displacement, double re) {
   double n = 0.0;
-  for (const std::uint32_t j : neighbours) n += mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re);
+  for (const std::uint32_t j : neighbours)
+    n += mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re);
   return n;
 }
 

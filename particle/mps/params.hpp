@@ -19,15 +19,16 @@ enum class NegativePressure { keep, clip };
 
 /// Right side of the pressure equation.
 enum class Source {
-  number_density,        ///< Eq. (12)
-  divergence_and_density ///< mostly the velocity divergence (Tanaka & Masunaga 2010)
+  number_density,         ///< Eq. (12)
+  divergence_and_density  ///< mostly the velocity divergence (Tanaka & Masunaga 2010)
 };
 
 /// Model of the pressure gradient.
 enum class GradientModel {
   minimum,     ///< Eqs. (5) and (6), the paper's
   conserving,  ///< conserves momentum (Khayyer & Gotoh 2008)
-  corrected    ///< exact for linear fields (Khayyer & Gotoh 2011); `minimum` on and next to the surface
+  corrected    ///< exact for linear fields (Khayyer & Gotoh 2011); `minimum` on and next to the
+               ///< surface
 };
 
 /// Choices of the MPS method. Lengths are in units of the particle spacing l0.
@@ -35,12 +36,12 @@ struct Params {
   double re_gradient = 2.1;   ///< number density, gradient and free surface
   double re_laplacian = 4.0;  ///< Laplacian
   Lambda lambda = Lambda::paper;
-  double beta = 0.97;               ///< Eq. (14): free surface where n < beta n0
-  double surface_offset = 0.0;      ///< > 0: and neighbours lie to one side by more than this
+  double beta = 0.97;           ///< Eq. (14): free surface where n < beta n0
+  double surface_offset = 0.0;  ///< > 0: and neighbours lie to one side by more than this
   Source source = Source::number_density;
-  double density_share = 0.01;      ///< gamma of Tanaka & Masunaga (2010)
+  double density_share = 0.01;  ///< gamma of Tanaka & Masunaga (2010)
   GradientModel gradient = GradientModel::minimum;
-  double source_relaxation = 1.0;   ///< factor on the right side of Eq. (12)
+  double source_relaxation = 1.0;  ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;
   PpeSolver ppe_solver = PpeSolver::multigrid;
   double ppe_tolerance = 1e-6;  ///< relative residual

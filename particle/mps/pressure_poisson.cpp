@@ -7,9 +7,11 @@
 namespace surge::mps {
 
 template <int D>
-const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p, const NeighbourList<D>& list,
+const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
+                                                  const NeighbourList<D>& list,
                                                   const Displacement<D>& displacement,
-                                                  const AlignedVector<std::int32_t>& unknown, std::size_t unknowns) {
+                                                  const AlignedVector<std::int32_t>& unknown,
+                                                  std::size_t unknowns) {
   const auto n = static_cast<std::ptrdiff_t>(p.size());
   system_.row_start.resize(unknowns + 1);
   system_.diagonal.resize(unknowns);
@@ -21,7 +23,8 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p, const N
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown[i] < 0) continue;
     std::int32_t entries = 0;
-    for (const std::uint32_t j : list.of(static_cast<std::size_t>(i))) entries += unknown[j] >= 0 ? 1 : 0;
+    for (const std::uint32_t j : list.of(static_cast<std::size_t>(i)))
+      entries += unknown[j] >= 0 ? 1 : 0;
     system_.row_start[unknown[i] + 1] = entries;
   }
   for (std::size_t k = 0; k < unknowns; ++k) system_.row_start[k + 1] += system_.row_start[k];

@@ -12,7 +12,8 @@ inline double poisson_source(double n, double n0, double rho, double dt, double 
   return relaxation * rho / (dt * dt) * (n - n0) / n0;
 }
 
-/// Assembles Eq. (12) with the Laplacian model of Eq. (7) for the particles with an unknown pressure
+/// Assembles Eq. (12) with the Laplacian model of Eq. (7) for the particles with an unknown
+/// pressure
 /// (`unknown[i]` >= 0 numbers them, in the order of i). Neighbours on the free surface have p = 0
 /// and stay in the diagonal only; dummy particles have no pressure and are left out.
 template <int D>
@@ -26,8 +27,8 @@ class PoissonAssembly {
 
   /// Fills rows, coordinates and diagonal. The right side is left to the caller (rhs[unknown[i]]).
   const PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
-                                const Displacement<D>& displacement, const AlignedVector<std::int32_t>& unknown,
-                                std::size_t unknowns);
+                                const Displacement<D>& displacement,
+                                const AlignedVector<std::int32_t>& unknown, std::size_t unknowns);
 
   [[nodiscard]] PoissonSystem& system() { return system_; }
 

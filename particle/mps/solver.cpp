@@ -110,7 +110,8 @@ void Solver<D>::add_viscosity(double dt) {
     for (int a = 0; a < D; ++a)
       correction_[a][i] = nu_ * laplacian_factor_ *
                           laplacian_sum<D>(
-                              i, list_.of(i), displacement, re_laplacian_, [&](std::size_t j) { return p_.v[a][j]; },
+                              i, list_.of(i), displacement, re_laplacian_,
+                              [&](std::size_t j) { return p_.v[a][j]; },
                               [&](std::size_t j) { return no_slip_ || is_fluid(j); });
   });
   for_each_fluid([&](std::size_t i) {
@@ -167,7 +168,8 @@ void Solver<D>::collide(double dt, StepReport& report) {
       const auto i = static_cast<std::size_t>(k);
       if (!is_fluid(i)) continue;
       const Vec<D> change = collision_.velocity_change(
-          i, list_.of(i), displacement, p_.v, [&](std::size_t j) { return !is_fluid(j); }, collisions);
+          i, list_.of(i), displacement, p_.v, [&](std::size_t j) { return !is_fluid(j); },
+          collisions);
       for (int a = 0; a < D; ++a) correction_[a][i] = change[a];
     }
     if (collisions == 0) return;
@@ -196,7 +198,8 @@ template <int D>
 bool Solver<D>::is_on_surface(std::size_t i, const Displacement<D>& displacement) const {
   if (!on_free_surface(p_.density[i], params_.beta, n0_)) return false;
   if (params_.surface_offset == 0.0 || on_free_surface(p_.density[i], thin_sheet, n0_)) return true;
-  return neighbour_offset<D>(i, list_.of(i), displacement, re_, n0_, spacing_) > params_.surface_offset;
+  return neighbour_offset<D>(i, list_.of(i), displacement, re_, n0_, spacing_) >
+         params_.surface_offset;
 }
 
 /// Numbers the particles whose pressure is unknown; the others get p = 0.
@@ -219,7 +222,8 @@ double Solver<D>::source(std::size_t i, double dt, const Displacement<D>& displa
     return poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation);
   const double divergence = velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, p_.v,
                                                    [](std::size_t) { return true; });
-  return params_.source_relaxation * mixed_source(divergence, p_.density[i], n0_, rho_, dt, params_.density_share);
+  return params_.source_relaxation *
+         mixed_source(divergence, p_.density[i], n0_, rho_, dt, params_.density_share);
 }
 
 template <int D>
@@ -286,8 +290,8 @@ void Solver<D>::find_minima(const Displacement<D>& displacement) {
   }
 }
 
-/// Eq. (13), in which the neighbourhood minimum of Eq. (6) stands where the paper prints P_i, or one
-/// of the other models.
+/// Eq. (13), in which the neighbourhood minimum of Eq. (6) stands where the paper prints P_i, or
+/// one of the other models.
 template <int D>
 Vec<D> Solver<D>::pressure_gradient(std::size_t i, const Displacement<D>& displacement) const {
   const auto pressure = [&](std::size_t j) { return p_.pressure[j]; };
@@ -296,7 +300,8 @@ Vec<D> Solver<D>::pressure_gradient(std::size_t i, const Displacement<D>& displa
   if (params_.gradient == GradientModel::conserving)
     return conserving_gradient<D>(i, list_.of(i), displacement, re_, n0_, pressure, least, counts);
   if (params_.gradient == GradientModel::corrected && p_.density[i] >= thin_sheet * n0_) {
-    if (const auto grad = corrected_gradient<D>(i, list_.of(i), displacement, re_, n0_, 0.3, pressure, counts))
+    if (const auto grad =
+            corrected_gradient<D>(i, list_.of(i), displacement, re_, n0_, 0.3, pressure, counts))
       return *grad;
   }
   return gradient<D>(i, list_.of(i), displacement, re_, n0_, least_[i], pressure, counts);

@@ -61,17 +61,18 @@ class Solver {
   double nu_;
   bool no_slip_;
   Vec<D> gravity_{};
-  double re_;          ///< of gradient and number density, m
+  double re_;            ///< of gradient and number density, m
   double re_laplacian_;  ///< m
-  double n0_;          ///< Eq. (9), at re
+  double n0_;            ///< Eq. (9), at re
   double laplacian_factor_;
   CollisionModel<D> collision_;
   WallCollision<D> walls_;
 
   Particles<D> p_;
-  std::array<Field, D> correction_;           ///< v' of Eq. (11), m/s
-  Field least_;                               ///< Pa, the neighbourhood minimum of Eq. (6)
-  AlignedVector<std::int32_t> unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
+  std::array<Field, D> correction_;  ///< v' of Eq. (11), m/s
+  Field least_;                      ///< Pa, the neighbourhood minimum of Eq. (6)
+  AlignedVector<std::int32_t>
+      unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;
   Field unknown_pressure_;
 

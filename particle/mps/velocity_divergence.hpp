@@ -10,8 +10,8 @@ namespace surge::mps {
 /// that the Laplacian model balances, so a wall at rest holds up still water.
 template <int D, class Counts>
 double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbours,
-                           const Displacement<D>& displacement, double re, double n0, const std::array<Field, D>& v,
-                           Counts&& counts) {
+                           const Displacement<D>& displacement, double re, double n0,
+                           const std::array<Field, D>& v, Counts&& counts) {
   double sum = 0.0;
   for (const std::uint32_t j : neighbours) {
     if (!counts(j)) continue;
@@ -30,7 +30,8 @@ double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbo
 ///   -<lap P>_i = -(1 - gamma) rho/dt div v* + gamma rho/dt^2 (n - n0)/n0.
 /// The divergence keeps the flow free of compression; the density error, which drives the pressure
 /// noise of Eq. (12), only takes back the drift: a share gamma of it in each step.
-inline double mixed_source(double divergence, double n, double n0, double rho, double dt, double gamma) {
+inline double mixed_source(double divergence, double n, double n0, double rho, double dt,
+                           double gamma) {
   return rho / dt * (gamma / dt * (n - n0) / n0 - (1.0 - gamma) * divergence);
 }
 

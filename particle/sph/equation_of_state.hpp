@@ -22,7 +22,9 @@ class EquationOfState {
   }
 
   /// The density (kg/m3) at which the pressure is p (Pa): the inverse of pressure().
-  [[nodiscard]] double density(double p) const { return rho0_ * std::pow(1.0 + p / b_, 1.0 / gamma_); }
+  [[nodiscard]] double density(double p) const {
+    return rho0_ * std::pow(1.0 + p / b_, 1.0 / gamma_);
+  }
 
  private:
   double rho0_;
@@ -34,7 +36,8 @@ class EquationOfState {
 // Eq. (26)
 /// Density at which the equation of state gives the hydrostatic pressure rho0 g (H - y), `depth`
 /// being H - y (m), g > 0 (m/s2).
-inline double hydrostatic_density(const EquationOfState& state, double rho0, double g, double depth) {
+inline double hydrostatic_density(const EquationOfState& state, double rho0, double g,
+                                  double depth) {
   return state.density(rho0 * g * depth);
 }
 

@@ -9,7 +9,8 @@ namespace surge::sph {
 
 // Eq. (22)
 /// Symmetric pressure term (Monaghan 1988, Comput. Phys. Commun. 48):
-///   -(1/rho) grad p = -sum_j m_j (p_j/rho_j^2 + p_i/rho_i^2) grad_i W,  grad_i W = -slope (x_j - x_i),
+///   -(1/rho) grad p = -sum_j m_j (p_j/rho_j^2 + p_i/rho_i^2) grad_i W,  grad_i W = -slope (x_j -
+///   x_i),
 /// here the factor of (x_j - x_i) for one neighbour per unit of m_j. Pairs exchange equal and
 /// opposite momentum.
 template <class T>
@@ -17,8 +18,10 @@ T pressure_term(T p_over_rho2_i, T p_over_rho2_j, T slope) {
   return (p_over_rho2_i + p_over_rho2_j) * slope;
 }
 
-/// Artificial viscosity of Monaghan (1992), Annu. Rev. Astron. Astrophys. 30, without its beta term:
-///   Pi_ij = -alpha c0 mu / rho,  mu = h v_ij . x_ij / (r^2 + 0.01 h^2), only where a pair approaches.
+/// Artificial viscosity of Monaghan (1992), Annu. Rev. Astron. Astrophys. 30, without its beta
+/// term:
+///   Pi_ij = -alpha c0 mu / rho,  mu = h v_ij . x_ij / (r^2 + 0.01 h^2), only where a pair
+///   approaches.
 /// Adds to p/rho^2 of the pair. `approach` is (v_j - v_i) . (x_j - x_i).
 template <class T>
 T artificial_viscosity(T approach, T r2, T mean_density, double alpha_c0_h, double h2) {
@@ -27,7 +30,8 @@ T artificial_viscosity(T approach, T r2, T mean_density, double alpha_c0_h, doub
   return T(-alpha_c0_h) * mu / mean_density;
 }
 
-/// Laminar viscous acceleration of Morris, Fox & Zhu (1997), J. Comput. Phys. 136, for one viscosity:
+/// Laminar viscous acceleration of Morris, Fox & Zhu (1997), J. Comput. Phys. 136, for one
+/// viscosity:
 ///   nu lap v = sum_j m_j (mu_i + mu_j) / (rho_i rho_j) (x_ij . grad_i W) / (r^2 + 0.01 h^2) v_ij,
 /// here the factor of (v_j - v_i) for one neighbour.
 template <class T>

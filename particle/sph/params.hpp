@@ -8,9 +8,9 @@ enum class NegativePressure { keep, clip };
 
 /// How wall particles get their density, and by the equation of state their pressure.
 enum class WallDensity {
-  reference,   ///< stays at rho0: walls do not push by pressure, only through the fluid's own p_i
-  continuity,  ///< Eq. (20) holds for wall particles too (Dalrymple & Knio 2001)
-  extrapolated ///< pressure from the fluid nearby, with gravity (Adami, Hu & Adams 2012)
+  reference,    ///< stays at rho0: walls do not push by pressure, only through the fluid's own p_i
+  continuity,   ///< Eq. (20) holds for wall particles too (Dalrymple & Knio 2001)
+  extrapolated  ///< pressure from the fluid nearby, with gravity (Adami, Hu & Adams 2012)
 };
 
 /// What the density diffusion acts on.
@@ -22,18 +22,19 @@ enum class DiffusionOf {
 /// Choices of the SPH method.
 struct Params {
   Kernel kernel = Kernel::quintic_spline;
-  double h_over_l0 = 1.2;            ///< smoothing length over spacing
-  double sound_speed_ratio = 10.0;   ///< c0 over the reference speed max(sqrt(2 g H), initial speed)
-  double gamma = 7.0;                ///< exponent of the equation of state, Eq. (21)
-  double xsph_epsilon = 0.5;         ///< Eq. (24)
-  double acoustic_courant = 0.0;     ///< dt <= this * h / (c0 + v_max); 0: only Eq. (25) limits the step
+  double h_over_l0 = 1.2;           ///< smoothing length over spacing
+  double sound_speed_ratio = 10.0;  ///< c0 over the reference speed max(sqrt(2 g H), initial speed)
+  double gamma = 7.0;               ///< exponent of the equation of state, Eq. (21)
+  double xsph_epsilon = 0.5;        ///< Eq. (24)
+  double acoustic_courant =
+      0.0;  ///< dt <= this * h / (c0 + v_max); 0: only Eq. (25) limits the step
   NegativePressure negative_pressure = NegativePressure::keep;
-  double artificial_viscosity = 0.0; ///< alpha of Monaghan (1992)
-  double density_diffusion = 0.0;    ///< delta of Molteni & Colagrossi (2009)
+  double artificial_viscosity = 0.0;  ///< alpha of Monaghan (1992)
+  double density_diffusion = 0.0;     ///< delta of Molteni & Colagrossi (2009)
   DiffusionOf diffusion_of = DiffusionOf::density;
   WallDensity wall_density = WallDensity::continuity;
-  double wall_distance = 0.25;       ///< in l0: no particle's centre comes closer to a wall
-  double wall_restitution = 0.0;     ///< ratio of normal speeds after and before a wall collision
+  double wall_distance = 0.25;    ///< in l0: no particle's centre comes closer to a wall
+  double wall_restitution = 0.0;  ///< ratio of normal speeds after and before a wall collision
 };
 
 }  // namespace surge::sph

@@ -20,7 +20,9 @@ std::variant<QuinticSpline<D>, WendlandC2<D>> make_kernel(Kernel kernel, double 
   return QuinticSpline<D>(h);
 }
 
-double support_of(Kernel kernel) { return kernel == Kernel::wendland_c2 ? 2.0 : 3.0; }
+double support_of(Kernel kernel) {
+  return kernel == Kernel::wendland_c2 ? 2.0 : 3.0;
+}
 
 int wall_layers(const Params& params) {
   return static_cast<int>(std::ceil(support_of(params.kernel) * params.h_over_l0 - 1e-9));
@@ -63,8 +65,9 @@ Solver<D>::Solver(const Case& c)
   fluid_volume_.assign(n, 0.0);
   p_over_rho2_.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
-    p_.density[i] = hydrostatic_density(state_, rho0_, norm<D>(gravity_),
-                                        initial_depth<D>(c, p_.position(i), support_of(params_.kernel) * h_));
+    p_.density[i] =
+        hydrostatic_density(state_, rho0_, norm<D>(gravity_),
+                            initial_depth<D>(c, p_.position(i), support_of(params_.kernel) * h_));
   measure_speed();
   sort_particles(stable_step());
   update_fluid_volume();
@@ -76,7 +79,8 @@ Solver<D>::Solver(const Case& c)
 template <int D>
 double Solver<D>::stable_step() const {
   double dt = courant_step(control_, spacing_, v_max_);
-  if (params_.acoustic_courant > 0.0) dt = std::min(dt, params_.acoustic_courant * h_ / (c0_ + v_max_));
+  if (params_.acoustic_courant > 0.0)
+    dt = std::min(dt, params_.acoustic_courant * h_ / (c0_ + v_max_));
   return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
 }
 
@@ -124,13 +128,15 @@ void Solver<D>::sort_particles(double dt) {
   for (int a = 0; a < D; ++a) grid_.reorder(xsph_[a]);
   fluid_before_.resize(p_.size() + 1);
   fluid_before_[0] = 0;
-  for (std::size_t i = 0; i < p_.size(); ++i) fluid_before_[i + 1] = fluid_before_[i] + (is_fluid(i) ? 1 : 0);
+  for (std::size_t i = 0; i < p_.size(); ++i)
+    fluid_before_[i + 1] = fluid_before_[i] + (is_fluid(i) ? 1 : 0);
 }
 
 template <int D>
 bool Solver<D>::near_fluid(std::size_t cell) const {
   bool found = false;
-  grid_.for_each_segment(cell, [&](const auto& s) { found = found || fluid_before_[s.end] > fluid_before_[s.begin]; });
+  grid_.for_each_segment(
+      cell, [&](const auto& s) { found = found || fluid_before_[s.end] > fluid_before_[s.begin]; });
   return found;
 }
 
@@ -159,8 +165,10 @@ void Solver<D>::apply_continuity(double dt) {
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
-        if (params_.density_diffusion > 0.0) continuity_pass<K, true>(kernel);
-        else continuity_pass<K, false>(kernel);
+        if (params_.density_diffusion > 0.0)
+          continuity_pass<K, true>(kernel);
+        else
+          continuity_pass<K, false>(kernel);
       },
       kernel_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
@@ -226,7 +234,8 @@ void Solver<D>::continuity_pass(const K& kernel) {
         const Simd rho_j = load(tile.field[2 * D + 1] + j);
         Simd head = 0.0;
         for (int a = 0; a < D; ++a) head += Simd(still_gravity[a]) * dx[a];
-        const Simd still = hydrostatic_difference<Simd>(head, Simd(0.5) * (rho_i + rho_j), rho0_, c0_, params_.gamma);
+        const Simd still = hydrostatic_difference<Simd>(head, Simd(0.5) * (rho_i + rho_j), rho0_,
+                                                        c0_, params_.gamma);
         diffused += density_diffusion<Simd>(rho_j - rho_i - still, volume, slope);
       }
     }
@@ -238,8 +247,10 @@ void Solver<D>::continuity_pass(const K& kernel) {
     density_rate_[i] = rate;
   };
   const auto wanted = [&](std::size_t cell) { return near_fluid(cell); };
-  if constexpr (Diffusion) pair_loop<D, fields>(grid_, diffusion_tiles_, source, wanted, body);
-  else pair_loop<D, fields>(grid_, continuity_tiles_, source, wanted, body);
+  if constexpr (Diffusion)
+    pair_loop<D, fields>(grid_, diffusion_tiles_, source, wanted, body);
+  else
+    pair_loop<D, fields>(grid_, continuity_tiles_, source, wanted, body);
 }
 
 template <int D>
@@ -289,11 +300,12 @@ void Solver<D>::apply_equation_of_state(StepReport& report) {
   if (params_.wall_density == WallDensity::extrapolated)
     std::visit([&](const auto& kernel) { extrapolate_to_walls(kernel); }, kernel_);
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) p_over_rho2_[i] = p_.pressure[i] / (p_.density[i] * p_.density[i]);
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    p_over_rho2_[i] = p_.pressure[i] / (p_.density[i] * p_.density[i]);
 }
 
-/// Pressure of a wall particle from the fluid around it, with the hydrostatic difference (Adami, Hu &
-/// Adams 2012, J. Comput. Phys. 231, Eq. 27 for a wall at rest):
+/// Pressure of a wall particle from the fluid around it, with the hydrostatic difference (Adami, Hu
+/// & Adams 2012, J. Comput. Phys. 231, Eq. 27 for a wall at rest):
 ///   p_w = sum_f [ p_f + rho_f g . (x_w - x_f) ] W_wf / sum_f W_wf,
 /// and its density from the equation of state. Negative values are set to zero: walls do not suck.
 template <int D>
@@ -328,7 +340,8 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
     p_.pressure[i] = sum > 0.0 ? std::max(0.0, stdx::reduce(pressures) / sum) : 0.0;
     p_.density[i] = state_.density(p_.pressure[i]);
   };
-  pair_loop<D, fields>(grid_, wall_tiles_, source, [&](std::size_t cell) { return near_fluid(cell); }, body);
+  pair_loop<D, fields>(
+      grid_, wall_tiles_, source, [&](std::size_t cell) { return near_fluid(cell); }, body);
 }
 
 template <int D>
@@ -338,15 +351,17 @@ void Solver<D>::apply_momentum() {
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
-        if (viscous) momentum_pass<K, true>(kernel);
-        else momentum_pass<K, false>(kernel);
+        if (viscous)
+          momentum_pass<K, true>(kernel);
+        else
+          momentum_pass<K, false>(kernel);
       },
       kernel_);
 }
 
 // Eq. (23)
-/// D v/Dt = pressure term, Eq. (22), + gravity, which the paper adds in words, + viscous terms where
-/// they are on.
+/// D v/Dt = pressure term, Eq. (22), + gravity, which the paper adds in words, + viscous terms
+/// where they are on.
 template <int D>
 template <class K, bool Viscous>
 void Solver<D>::momentum_pass(const K& kernel) {
@@ -416,8 +431,10 @@ void Solver<D>::momentum_pass(const K& kernel) {
     const auto [begin, end] = grid_.particles_of(cell);
     return fluid_before_[end] > fluid_before_[begin];
   };
-  if constexpr (Viscous) pair_loop<D, fields>(grid_, viscous_tiles_, source, wanted, body);
-  else pair_loop<D, fields>(grid_, momentum_tiles_, source, wanted, body);
+  if constexpr (Viscous)
+    pair_loop<D, fields>(grid_, viscous_tiles_, source, wanted, body);
+  else
+    pair_loop<D, fields>(grid_, momentum_tiles_, source, wanted, body);
 }
 
 template <int D>

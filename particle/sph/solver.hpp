@@ -84,7 +84,7 @@ class Solver {
   std::array<Field, D> xsph_;      ///< velocity correction of Eq. (24)
   std::array<Field, D> xsph_old_;  ///< the one before, which the half drift used
   Field density_rate_;
-  Field fluid_volume_;   ///< m/rho of fluid particles, 0 for walls
+  Field fluid_volume_;  ///< m/rho of fluid particles, 0 for walls
   Field p_over_rho2_;
   std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
 
@@ -98,7 +98,7 @@ class Solver {
   double time_ = 0.0;
   long steps_ = 0;
   double v_max_ = 0.0;
-  double skin_ = 0.0;             ///< by how much the grid reaches beyond the kernel, m
+  double skin_ = 0.0;              ///< by how much the grid reaches beyond the kernel, m
   double moved_since_sort_ = 0.0;  ///< bound on any particle's path since the last sort, m
   Clock clock_;
 };

@@ -47,22 +47,25 @@ const auto everyone = [](std::size_t) { return true; };
 
 TEST(NumberDensity, OfTheLatticeByHand) {
   // re = 2.1: 4 neighbours at 1, 4 at sqrt 2, 4 at 2.
-  const double by_hand = 4.0 * (2.1 / 1.0 - 1.0) + 4.0 * (2.1 / std::sqrt(2.0) - 1.0) + 4.0 * (2.1 / 2.0 - 1.0);
+  const double by_hand =
+      4.0 * (2.1 / 1.0 - 1.0) + 4.0 * (2.1 / std::sqrt(2.0) - 1.0) + 4.0 * (2.1 / 2.0 - 1.0);
   EXPECT_NEAR(reference_number_density<2>(2.1), by_hand, 1e-12);
   const Lattice<2> lattice(5, 2.1 * l0);
   const Displacement<2> displacement(lattice.x, {});
-  EXPECT_NEAR(number_density<2>(lattice.middle, lattice.list.of(lattice.middle), displacement, 2.1 * l0), by_hand,
-              1e-11);
+  EXPECT_NEAR(
+      number_density<2>(lattice.middle, lattice.list.of(lattice.middle), displacement, 2.1 * l0),
+      by_hand, 1e-11);
 }
 
 TEST(NumberDensity, OfTheCubicLattice) {
-  const double by_hand = 6.0 * 1.1 + 12.0 * (2.1 / std::sqrt(2.0) - 1.0) + 8.0 * (2.1 / std::sqrt(3.0) - 1.0) +
-                         6.0 * (2.1 / 2.0 - 1.0);
+  const double by_hand = 6.0 * 1.1 + 12.0 * (2.1 / std::sqrt(2.0) - 1.0) +
+                         8.0 * (2.1 / std::sqrt(3.0) - 1.0) + 6.0 * (2.1 / 2.0 - 1.0);
   EXPECT_NEAR(reference_number_density<3>(2.1), by_hand, 1e-12);
   const Lattice<3> lattice(4, 2.1 * l0);
   const Displacement<3> displacement(lattice.x, {});
-  EXPECT_NEAR(number_density<3>(lattice.middle, lattice.list.of(lattice.middle), displacement, 2.1 * l0), by_hand,
-              1e-11);
+  EXPECT_NEAR(
+      number_density<3>(lattice.middle, lattice.list.of(lattice.middle), displacement, 2.1 * l0),
+      by_hand, 1e-11);
 }
 
 // Errata of the paper, Eq. (8), at its re = 4 l0 and l0 = 0.005 m.
@@ -72,8 +75,9 @@ TEST(Lambda, LatticeAnalyticAndPrinted) {
   EXPECT_NEAR((laplacian_lambda<2>(Lambda::paper, 4.0, l0)), 3.333e-5, 0.001e-5);
   // The sum tends to the integral as the radius grows.
   const double wide = 60.0;
-  EXPECT_NEAR((laplacian_lambda<2>(Lambda::lattice, wide, l0) / laplacian_lambda<2>(Lambda::analytic, wide, l0)), 1.0,
-              0.03);
+  EXPECT_NEAR((laplacian_lambda<2>(Lambda::lattice, wide, l0) /
+               laplacian_lambda<2>(Lambda::analytic, wide, l0)),
+              1.0, 0.03);
 }
 
 template <int D>
@@ -81,13 +85,15 @@ void expect_exact_laplacian() {
   const double re = 4.0;
   const Lattice<D> lattice(5, re * l0);
   const Displacement<D> displacement(lattice.x, {});
-  const double factor =
-      laplacian_factor<D>(reference_number_density<D>(re), laplacian_lambda<D>(Lambda::lattice, re, l0));
+  const double factor = laplacian_factor<D>(reference_number_density<D>(re),
+                                            laplacian_lambda<D>(Lambda::lattice, re, l0));
   const auto laplacian = [&](auto&& phi) {
-    return factor * laplacian_sum<D>(lattice.middle, lattice.list.of(lattice.middle), displacement, re * l0, phi, everyone);
+    return factor * laplacian_sum<D>(lattice.middle, lattice.list.of(lattice.middle), displacement,
+                                     re * l0, phi, everyone);
   };
   const auto& x = lattice.x;
-  const double linear = laplacian([&](std::size_t j) { return 3.0 + 2.0 * x[0][j] - 7.0 * x[D - 1][j]; });
+  const double linear =
+      laplacian([&](std::size_t j) { return 3.0 + 2.0 * x[0][j] - 7.0 * x[D - 1][j]; });
   EXPECT_NEAR(linear, 0.0, 1e-8);
   const double quadratic = laplacian([&](std::size_t j) {
     double sum = 0.0;
@@ -98,8 +104,12 @@ void expect_exact_laplacian() {
 }
 
 // With lambda from the lattice the model is exact for r^2, which defines lambda.
-TEST(Laplacian, ExactOnLinearAndQuadraticFields2D) { expect_exact_laplacian<2>(); }
-TEST(Laplacian, ExactOnLinearAndQuadraticFields3D) { expect_exact_laplacian<3>(); }
+TEST(Laplacian, ExactOnLinearAndQuadraticFields2D) {
+  expect_exact_laplacian<2>();
+}
+TEST(Laplacian, ExactOnLinearAndQuadraticFields3D) {
+  expect_exact_laplacian<3>();
+}
 
 template <int D>
 void expect_exact_gradient() {
@@ -107,32 +117,45 @@ void expect_exact_gradient() {
   const Lattice<D> lattice(4, re * l0);
   const Displacement<D> displacement(lattice.x, {});
   const double n0 = reference_number_density<D>(re);
-  const auto phi = [&](std::size_t j) { return 5.0 + 3.0 * lattice.x[0][j] - 2.0 * lattice.x[D - 1][j]; };
+  const auto phi = [&](std::size_t j) {
+    return 5.0 + 3.0 * lattice.x[0][j] - 2.0 * lattice.x[D - 1][j];
+  };
   // On a full lattice the reference value drops out: the directions sum to zero.
   for (const double reference : {phi(lattice.middle), -100.0}) {
-    const Vec<D> g = gradient<D>(lattice.middle, lattice.list.of(lattice.middle), displacement, re * l0, n0, reference,
-                                 phi, everyone);
+    const Vec<D> g = gradient<D>(lattice.middle, lattice.list.of(lattice.middle), displacement,
+                                 re * l0, n0, reference, phi, everyone);
     EXPECT_NEAR(g[0], 3.0, 1e-8);
     EXPECT_NEAR(g[D - 1], -2.0, 1e-8);
   }
 }
 
-TEST(Gradient, ExactOnLinearFields2D) { expect_exact_gradient<2>(); }
-TEST(Gradient, ExactOnLinearFields3D) { expect_exact_gradient<3>(); }
+TEST(Gradient, ExactOnLinearFields2D) {
+  expect_exact_gradient<2>();
+}
+TEST(Gradient, ExactOnLinearFields3D) {
+  expect_exact_gradient<3>();
+}
 
 TEST(Gradient, MinimumIsTakenOverTheNeighbourhoodAndItself) {
   const Lattice<2> lattice(4, 2.1 * l0);
   const Displacement<2> displacement(lattice.x, {});
   const auto neighbours = lattice.list.of(lattice.middle);
   const auto slope = [&](std::size_t j) { return lattice.x[0][j] / l0; };
-  EXPECT_NEAR((neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, slope, everyone)), -2.0, 1e-12);
+  EXPECT_NEAR((neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, slope,
+                                        everyone)),
+              -2.0, 1e-12);
   const auto dip = [&](std::size_t j) { return j == lattice.middle ? -9.0 : slope(j); };
-  EXPECT_EQ((neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, dip, everyone)), -9.0);
+  EXPECT_EQ(
+      (neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, dip, everyone)),
+      -9.0);
   const auto right_half = [&](std::size_t j) { return lattice.x[0][j] > -0.5 * l0; };
-  EXPECT_NEAR((neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, slope, right_half)), 0.0, 1e-12);
+  EXPECT_NEAR((neighbourhood_minimum<2>(lattice.middle, neighbours, displacement, 2.1 * l0, slope,
+                                        right_half)),
+              0.0, 1e-12);
 }
 
-// With the minimum as reference every neighbour pushes: the correction never pulls particles together.
+// With the minimum as reference every neighbour pushes: the correction never pulls particles
+// together.
 TEST(Gradient, MinimumMakesEveryPairRepel) {
   std::array<Field, 2> x{Field{0.0, 0.6 * l0}, Field{0.0, 0.0}};
   const std::array<std::uint32_t, 1> neighbour{1};
@@ -163,14 +186,18 @@ void expect_corrected_gradient_exact() {
   const Lattice<D> lattice = jittered<D>((re + 0.6) * l0);
   const Displacement<D> displacement(lattice.x, {});
   const double n0 = reference_number_density<D>(re);
-  const auto phi = [&](std::size_t j) { return 5.0 + 3.0 * lattice.x[0][j] - 2.0 * lattice.x[D - 1][j]; };
+  const auto phi = [&](std::size_t j) {
+    return 5.0 + 3.0 * lattice.x[0][j] - 2.0 * lattice.x[D - 1][j];
+  };
   const auto upper_half = [&](std::size_t j) { return lattice.x[0][j] > -0.5 * l0; };
   const auto neighbours = lattice.list.of(lattice.middle);
-  const Vec<D> plain =
-      gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, phi(lattice.middle), phi, everyone);
+  const Vec<D> plain = gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0,
+                                   phi(lattice.middle), phi, everyone);
   EXPECT_GT(std::abs(plain[0] - 3.0), 1e-4) << "the plain model errs here";
-  const auto all = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, 0.3, phi, everyone);
-  const auto half = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, 0.3, phi, upper_half);
+  const auto all = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0, 0.3,
+                                         phi, everyone);
+  const auto half = corrected_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0,
+                                          0.3, phi, upper_half);
   for (const auto& g : {all, half}) {
     ASSERT_TRUE(g.has_value());
     EXPECT_NEAR((*g)[0], 3.0, 1e-10);
@@ -178,14 +205,19 @@ void expect_corrected_gradient_exact() {
   }
 }
 
-TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles2D) { expect_corrected_gradient_exact<2>(); }
-TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles3D) { expect_corrected_gradient_exact<3>(); }
+TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles2D) {
+  expect_corrected_gradient_exact<2>();
+}
+TEST(CorrectedGradient, ExactOnLinearFieldsOnAnyParticles3D) {
+  expect_corrected_gradient_exact<3>();
+}
 
 TEST(CorrectedGradient, IsEmptyForNeighboursInALine) {
   const std::array<Field, 2> x{Field{0.0, l0, -l0, 2.0 * l0}, Field{0.0, l0, -l0, 2.0 * l0}};
   const std::array<std::uint32_t, 3> neighbours{1, 2, 3};
   const auto phi = [&](std::size_t j) { return x[0][j]; };
-  EXPECT_FALSE((corrected_gradient<2>(0, neighbours, Displacement<2>(x, {}), 3.1 * l0, 6.0, 0.3, phi, everyone)));
+  EXPECT_FALSE((corrected_gradient<2>(0, neighbours, Displacement<2>(x, {}), 3.1 * l0, 6.0, 0.3,
+                                      phi, everyone)));
 }
 
 // What i gets from j is the opposite of what j gets from i, for any pressures.
@@ -199,12 +231,14 @@ TEST(ConservingGradient, SumsToZeroOnAnyParticles) {
   const auto phi = [&](std::size_t j) { return p[j]; };
   Field least(n);
   for (std::size_t i = 0; i < n; ++i)
-    least[i] = neighbourhood_minimum<2>(i, lattice.list.of(i), displacement, re * l0, phi, everyone);
+    least[i] =
+        neighbourhood_minimum<2>(i, lattice.list.of(i), displacement, re * l0, phi, everyone);
   Vec<2> sum{};
   double size = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec<2> g = conserving_gradient<2>(i, lattice.list.of(i), displacement, re * l0, 6.5, phi,
-                                            [&](std::size_t j) { return least[j]; }, everyone);
+    const Vec<2> g = conserving_gradient<2>(
+        i, lattice.list.of(i), displacement, re * l0, 6.5, phi,
+        [&](std::size_t j) { return least[j]; }, everyone);
     for (std::size_t a = 0; a < 2; ++a) sum[a] += g[a];
     size += std::sqrt(squared_norm<2>(g));
   }
@@ -221,20 +255,26 @@ void expect_divergence_exact() {
     for (int a = 0; a < D; ++a) v[a].push_back((a + 1.0) * lattice.x[a][j]);
     v[0].back() += 7.0 * lattice.x[1][j];  // shear has no divergence
   }
-  const double divergence = velocity_divergence<D>(lattice.middle, lattice.list.of(lattice.middle), displacement,
-                                                   re * l0, reference_number_density<D>(re), v, everyone);
+  const double divergence =
+      velocity_divergence<D>(lattice.middle, lattice.list.of(lattice.middle), displacement, re * l0,
+                             reference_number_density<D>(re), v, everyone);
   EXPECT_NEAR(divergence, D * (D + 1) / 2.0, 1e-10);
 }
 
-TEST(VelocityDivergence, ExactOnLinearFields2D) { expect_divergence_exact<2>(); }
-TEST(VelocityDivergence, ExactOnLinearFields3D) { expect_divergence_exact<3>(); }
+TEST(VelocityDivergence, ExactOnLinearFields2D) {
+  expect_divergence_exact<2>();
+}
+TEST(VelocityDivergence, ExactOnLinearFields3D) {
+  expect_divergence_exact<3>();
+}
 
 TEST(MixedSource, GammaWeighsDivergenceAgainstDensity) {
   const double rho = 1000.0;
   const double dt = 1e-3;
   EXPECT_NEAR(mixed_source(0.0, 6.6, 6.0, rho, dt, 1.0), rho / (dt * dt) * 0.1, 1e-3);  // Eq. (12)
   EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.0), 2.0 * rho / dt, 1e-6);
-  EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.01), 0.99 * 2.0 * rho / dt + 0.01 * 0.1 * rho / (dt * dt), 1e-3);
+  EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.01),
+              0.99 * 2.0 * rho / dt + 0.01 * 0.1 * rho / (dt * dt), 1e-3);
 }
 
 // Square lattice by hand: the first layer of the surface and the second, on either side of 0.3.
@@ -255,8 +295,10 @@ TEST(FreeSurface, OffsetTellsTheFirstLayerFromTheSecond) {
       const double offset = neighbour_offset<2>(lattice.middle, lattice.list.of(lattice.middle),
                                                 Displacement<2>(lattice.x, {}), re * l0, n0, l0);
       EXPECT_NEAR(offset, by_hand(depth + 1), 1e-10);
-      if (depth == 0) EXPECT_GT(offset, 0.3);
-      else EXPECT_LT(offset, 0.2);
+      if (depth == 0)
+        EXPECT_GT(offset, 0.3);
+      else
+        EXPECT_LT(offset, 0.2);
     }
   }
 }
@@ -276,9 +318,12 @@ TEST(Collision, KeepsMomentumAndSetsTheRelativeSpeed) {
   EXPECT_EQ(count, 2);
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(first[a] + second[a], 0.0, 1e-15);
   const Vec<2> d = displacement(0, 1);
-  const auto normal_speed = [&](double dvx, double dvy) { return (dvx * d[0] + dvy * d[1]) / std::sqrt(squared_norm<2>(d)); };
+  const auto normal_speed = [&](double dvx, double dvy) {
+    return (dvx * d[0] + dvy * d[1]) / std::sqrt(squared_norm<2>(d));
+  };
   const double before = normal_speed(v[0][1] - v[0][0], v[1][1] - v[1][0]);
-  const double after = normal_speed(v[0][1] + second[0] - v[0][0] - first[0], v[1][1] + second[1] - v[1][0] - first[1]);
+  const double after = normal_speed(v[0][1] + second[0] - v[0][0] - first[0],
+                                    v[1][1] + second[1] - v[1][0] - first[1]);
   EXPECT_NEAR(after, -e * before, 1e-14);
 }
 

@@ -28,7 +28,8 @@ TEST(EquationOfState, HydrostaticDensityGivesHydrostaticPressure) {
   const double g = 9.81;
   const EquationOfState state(1000.0, 24.0, 7.0);
   for (const double depth : {0.0, 0.0025, 0.1, 0.29})
-    EXPECT_NEAR(state.pressure(hydrostatic_density(state, 1000.0, g, depth)), 1000.0 * g * depth, 1e-6);
+    EXPECT_NEAR(state.pressure(hydrostatic_density(state, 1000.0, g, depth)), 1000.0 * g * depth,
+                1e-6);
 }
 
 }  // namespace

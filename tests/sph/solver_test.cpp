@@ -68,7 +68,8 @@ double largest_difference(const S& a, const S& b) {
   const auto y = positions(b);
   double largest = 0.0;
   for (const auto& [id, point] : x)
-    for (std::size_t k = 0; k < 2; ++k) largest = std::max(largest, std::abs(point[k] - y.at(id)[k]));
+    for (std::size_t k = 0; k < 2; ++k)
+      largest = std::max(largest, std::abs(point[k] - y.at(id)[k]));
   return largest;
 }
 

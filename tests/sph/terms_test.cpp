@@ -53,7 +53,9 @@ TEST(Continuity, RigidMotionChangesNothing) {
 // for a quadratic field up to the lattice error.
 TEST(DensityDiffusion, IsTheLaplacian) {
   double sum = 0.0;
-  over_lattice([&](const auto&, double r, double slope) { sum += density_diffusion(r * r, mass / rho, slope); });
+  over_lattice([&](const auto&, double r, double slope) {
+    sum += density_diffusion(r * r, mass / rho, slope);
+  });
   EXPECT_NEAR(sum, 4.0, 0.02);
 }
 
@@ -63,7 +65,8 @@ TEST(DensityDiffusion, OfTheDynamicDensityVanishesInStillWater) {
   const double c0 = 20.0;
   const double g = 9.81;
   for (const double gamma : {7.0, 1.0}) {
-    // d rho/dz = rho g / c^2 integrates to rho^(gamma-1) = rho0^(gamma-1) (1 + (gamma-1) g z / c0^2)
+    // d rho/dz = rho g / c^2 integrates to rho^(gamma-1) = rho0^(gamma-1) (1 + (gamma-1) g z /
+    // c0^2)
     const auto still = [&](double z) {
       if (gamma == 1.0) return rho * std::exp(g * z / (c0 * c0));
       return rho * std::pow(1.0 + (gamma - 1.0) * g * z / (c0 * c0), 1.0 / (gamma - 1.0));
@@ -76,7 +79,8 @@ TEST(DensityDiffusion, OfTheDynamicDensityVanishesInStillWater) {
         const double rho_i = still(depth);
         const double rho_j = still(depth + dx[1]);
         const double difference = rho_j - rho_i;
-        const double part = hydrostatic_difference(g * dx[1], 0.5 * (rho_i + rho_j), rho, c0, gamma);
+        const double part =
+            hydrostatic_difference(g * dx[1], 0.5 * (rho_i + rho_j), rho, c0, gamma);
         plain += density_diffusion(difference, mass / rho, slope);
         dynamic += density_diffusion(difference - part, mass / rho, slope);
       });
@@ -88,7 +92,8 @@ TEST(DensityDiffusion, OfTheDynamicDensityVanishesInStillWater) {
 }
 
 TEST(DensityDiffusion, HydrostaticPartOfAPairIsAntisymmetric) {
-  EXPECT_EQ(hydrostatic_difference(0.3, 1004.0, rho, 20.0, 7.0), -hydrostatic_difference(-0.3, 1004.0, rho, 20.0, 7.0));
+  EXPECT_EQ(hydrostatic_difference(0.3, 1004.0, rho, 20.0, 7.0),
+            -hydrostatic_difference(-0.3, 1004.0, rho, 20.0, 7.0));
   EXPECT_EQ(hydrostatic_difference(0.0, 1004.0, rho, 20.0, 7.0), 0.0);
 }
 
@@ -97,7 +102,8 @@ TEST(PressureTerm, GradientOfALinearField) {
   const double slope_x = 9810.0;
   std::array<double, 2> acceleration{};
   over_lattice([&](const auto& dx, double, double slope) {
-    const double factor = pressure_term(500.0 / (rho * rho), (500.0 + slope_x * dx[0]) / (rho * rho), slope);
+    const double factor =
+        pressure_term(500.0 / (rho * rho), (500.0 + slope_x * dx[0]) / (rho * rho), slope);
     for (std::size_t a = 0; a < 2; ++a) acceleration[a] += mass * factor * dx[a];
   });
   EXPECT_NEAR(acceleration[0], -slope_x / rho, 2e-3 * slope_x / rho);
@@ -123,7 +129,8 @@ TEST(LaminarViscosity, LaplacianOfAParabolicProfile) {
 TEST(Xsph, WeightsSumToOneOverTheLattice) {
   const QuinticSpline<2> kernel(h);
   double sum = xsph_weight(mass / rho, kernel.value(0.0));
-  over_lattice([&](const auto&, double r, double) { sum += xsph_weight(mass / rho, kernel.value(r)); });
+  over_lattice(
+      [&](const auto&, double r, double) { sum += xsph_weight(mass / rho, kernel.value(r)); });
   EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 

@@ -69,8 +69,8 @@ TEST_P(Hydrostatic, TankKeepsItsPressure) {
 INSTANTIATE_TEST_SUITE_P(Methods, Hydrostatic, testing::Values("mps", "sph"),
                          [](const auto& parameter) { return parameter.param; });
 
-/// RMS over the fluid of p - rho g (H - y), over rho g H; root of the mean square over the last quarter
-/// of the run. H = 0.2 m.
+/// RMS over the fluid of p - rho g (H - y), over rho g H; root of the mean square over the last
+/// quarter of the run. H = 0.2 m.
 template <class S>
 double pressure_error(const Case& c) {
   S solver(c);
@@ -101,18 +101,22 @@ Case still_water(const std::vector<std::string>& choices) {
 // The recommended presets, 20 particles over the depth, between 1.5 and 2 s: not the mean but the
 // pressure of every particle at every step.
 TEST(SmoothPressure, DeltaSph) {
-  EXPECT_LT(pressure_error<sph::Solver<2>>(still_water({"method.name=sph", "method.preset=delta-sph"})), 0.01);
+  EXPECT_LT(
+      pressure_error<sph::Solver<2>>(still_water({"method.name=sph", "method.preset=delta-sph"})),
+      0.01);
 }
 
 // The diffusion of the whole density pushes it towards a constant, and more so the longer it runs.
 TEST(SmoothPressure, DiffusionOfTheWholeDensityDrifts) {
-  EXPECT_GT(pressure_error<sph::Solver<2>>(
-                still_water({"method.name=sph", "method.preset=delta-sph", "sph.diffusion_of=density"})),
+  EXPECT_GT(pressure_error<sph::Solver<2>>(still_water(
+                {"method.name=sph", "method.preset=delta-sph", "sph.diffusion_of=density"})),
             0.02);
 }
 
 TEST(SmoothPressure, MpsImproved) {
-  EXPECT_LT(pressure_error<mps::Solver<2>>(still_water({"method.name=mps", "method.preset=improved"})), 0.03);
+  EXPECT_LT(
+      pressure_error<mps::Solver<2>>(still_water({"method.name=mps", "method.preset=improved"})),
+      0.03);
 }
 
 }  // namespace
