@@ -28,7 +28,8 @@ inline Simd inverse_sqrt(Simd x) {
 #if defined(__AVX512F__)
   if constexpr (simd_width == 8) {
     const Simd half = Simd(0.5) * x;
-    Simd y = Simd(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+    // The masked form, because GCC 12 warns about its own header with the plain one.
+    Simd y = Simd(_mm512_maskz_rsqrt14_pd(0xff, static_cast<__m512d>(x)));
     y *= Simd(1.5) - half * y * y;
     y *= Simd(1.5) - half * y * y;
     return y;
