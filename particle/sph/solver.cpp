@@ -223,9 +223,8 @@ void Solver<D>::continuity_pass(const K& kernel) {
         dv[a] = load(tile.field[D + a] + j) - vi[a];
         r2 += dx[a] * dx[a];
       }
-      const Simd inverse_r = inverse_sqrt(r2);
-      const Simd r = r2 * inverse_r;
-      const Simd slope = kernel.derivative(r) * inverse_r;
+      const Simd r = stdx::sqrt(r2);
+      const Simd slope = kernel.derivative(r) / r;
       const Simd volume = load(tile.field[2 * D] + j);
       divergence += continuity<Simd, D>(dv, dx, slope);
       const Simd weight = xsph_weight(volume, kernel.value(r));
@@ -331,7 +330,7 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
         r2 += dx * dx;
         head -= Simd(gravity_[a]) * dx;
       }
-      Simd weight = kernel.value(r2 * inverse_sqrt(r2));
+      Simd weight = kernel.value(Simd(stdx::sqrt(r2)));
       stdx::where(load(tile.field[D + 2] + j) == 0.0, weight) = 0.0;
       weights += weight;
       pressures += weight * (load(tile.field[D] + j) + load(tile.field[D + 1] + j) * head);
@@ -396,9 +395,8 @@ void Solver<D>::momentum_pass(const K& kernel) {
         dx[a] = load(tile.field[a] + j) - xi[a];
         r2 += dx[a] * dx[a];
       }
-      const Simd inverse_r = inverse_sqrt(r2);
-      const Simd r = r2 * inverse_r;
-      const Simd slope = kernel.derivative(r) * inverse_r;
+      const Simd r = stdx::sqrt(r2);
+      const Simd slope = kernel.derivative(r) / r;
       Simd factor = pressure_term(pi, load(tile.field[D] + j), slope);
       if constexpr (Viscous) {
         std::array<Simd, D> dv;
