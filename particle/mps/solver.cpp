@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/mps/free_surface.hpp"
@@ -309,15 +310,7 @@ Vec<D> Solver<D>::pressure_gradient(std::size_t i, const Displacement<D>& displa
 
 template <int D>
 void Solver<D>::measure_speed(StepReport& report) {
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-  double fastest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : fastest)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    double v2 = 0.0;
-    for (int a = 0; a < D; ++a) v2 += p_.v[a][i] * p_.v[a][i];
-    fastest = std::max(fastest, v2);
-  }
-  v_max_ = std::sqrt(fastest);
+  v_max_ = fastest_speed(p_);
   report.v_max = v_max_;
 }
 
