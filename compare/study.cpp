@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 
 #include "particle/support/toml.hpp"
 
 namespace surge::compare {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 constexpr std::array<std::string_view, 2> programs{"surge-particle", "interFoam"};
+constexpr std::array<std::string_view, 5> roles{"comparison", "timing", "sensitivity",
+                                                "convergence", "verification"};
 
 StudyRun read_run(const TomlTable& table) {
   StudyRun run;
@@ -26,50 +32,138 @@ StudyRun read_run(const TomlTable& table) {
       throw table.error("set", "\"" + setting + "\"", "\"key=value\"");
   }
   run.threads = static_cast<int>(table.integer_or("threads", 1, surge::Bounds::closed(1, 4096)));
-  run.timing = table.boolean_or("timing", false);
+  if (table.has("role")) run.role = static_cast<Role>(table.choice("role", roles));
+  run.group = table.text_or("group", "");
+  if (run.group.empty() && run.role != Role::comparison && run.role != Role::timing) {
+    throw table.error("group", table.has("group") ? "\"\"" : "nothing",
+                      "what a run of role " + std::string(role_text(run.role)) + " belongs to");
+  }
   // Of no concern here: compare/studies/study.py, which schedules the runs, goes by them.
   static_cast<void>(table.boolean_or("timed", true));
   static_cast<void>(table.boolean_or("may_break", false));
   return run;
 }
 
-}  // namespace
-
-Study read_study(const std::filesystem::path& file) {
-  const TomlTable root = TomlTable::read(file);
-  Study study;
-  study.title = root.text("title");
-  study.reference = root.text("reference");
-  study.strip_height = Metres(root.number("strip_height", surge::Bounds::above(0.0)));
-  for (const double t :
-       root.numbers("snapshot_times", std::nullopt, surge::Bounds::at_least(0.0))) {
-    if (!study.snapshot_times.empty() && Seconds(t) <= study.snapshot_times.back()) {
-      throw root.error("snapshot_times", number_text(t), "increasing times");
+/// A study that is being put together from its files.
+class Collector {
+ public:
+  /// A file that was read before, however it is reached, adds nothing.
+  void add_file(const fs::path& file) {
+    if (!files_.insert(fs::weakly_canonical(file)).second) return;
+    const TomlTable root = TomlTable::read(file);
+    read_head(root);
+    if (root.has("include")) {
+      for (const std::string& name : root.texts("include")) {
+        const fs::path included = file.parent_path() / name;
+        if (!fs::is_regular_file(included))
+          throw root.error("include", "\"" + name + "\"", "a study, named relative to this file");
+        add_file(included);
+      }
     }
-    study.snapshot_times.emplace_back(t);
+    for (const TomlTable& table : root.tables("run")) add_repeats(table);
+    root.finish();
   }
-  if (root.has("published")) study.published = root.texts("published");
-  std::set<std::string> names;
-  for (const TomlTable& table : root.tables("run")) {
-    const StudyRun first = read_run(table);
+
+  Study finished(const fs::path& file) {
+    const TomlTable root = TomlTable::read(file);
+    for (const auto& [key, found] :
+         {std::pair{"title", title_.has_value()}, std::pair{"reference", reference_.has_value()},
+          std::pair{"strip_height", strip_height_.has_value()},
+          std::pair{"snapshot_times", snapshot_times_.has_value()}}) {
+      if (!found) throw root.error(key, "nothing", "an entry here or in an included study");
+    }
+    if (study_.runs.empty()) throw root.error("run", "no run", "at least one [[run]]");
+    study_.title = *title_;
+    study_.reference = *reference_;
+    study_.strip_height = *strip_height_;
+    study_.snapshot_times = *snapshot_times_;
+    if (published_) study_.published = *published_;
+    const auto is_reference = [&](const StudyRun& run) {
+      return run.name == study_.reference && run.role == Role::comparison;
+    };
+    if (std::none_of(study_.runs.begin(), study_.runs.end(), is_reference)) {
+      throw Error(reference_place_ + ": found \"" + study_.reference +
+                  "\", expected the name of one of the runs of role comparison");
+    }
+    return std::move(study_);
+  }
+
+ private:
+  void read_head(const TomlTable& root) {
+    if (root.has("title")) keep(title_, root.text("title"));
+    if (root.has("reference")) {
+      if (!reference_) reference_place_ = root.place("reference");
+      keep(reference_, root.text("reference"));
+    }
+    if (root.has("strip_height"))
+      keep(strip_height_, Metres(root.number("strip_height", surge::Bounds::above(0.0))));
+    if (root.has("snapshot_times")) keep(snapshot_times_, increasing_times(root));
+    if (root.has("published")) keep(published_, root.texts("published"));
+  }
+
+  static std::vector<Seconds> increasing_times(const TomlTable& root) {
+    std::vector<Seconds> times;
+    for (const double t :
+         root.numbers("snapshot_times", std::nullopt, surge::Bounds::at_least(0.0))) {
+      if (!times.empty() && Seconds(t) <= times.back())
+        throw root.error("snapshot_times", number_text(t), "increasing times");
+      times.emplace_back(t);
+    }
+    return times;
+  }
+
+  /// The first file that has an entry decides.
+  template <class T>
+  static void keep(std::optional<T>& entry, T found) {
+    if (!entry) entry = std::move(found);
+  }
+
+  void add_repeats(const TomlTable& table) {
+    StudyRun run = read_run(table);
+    const std::string name = run.name;
     const auto repeats = table.integer_or("repeats", 1, surge::Bounds::closed(1, 99));
     for (long k = 1; k <= repeats; ++k) {
-      StudyRun run = first;
-      if (k > 1) run.name += "-repeat" + std::to_string(k);
-      if (!names.insert(run.name).second)
-        throw table.error("name", "\"" + run.name + "\" a second time", "different names");
-      study.runs.push_back(std::move(run));
+      if (k > 1) run.name = name + "-repeat" + std::to_string(k);
+      add(run, table);
     }
   }
-  if (study.runs.empty()) throw root.error("run", "no run", "at least one [[run]]");
-  const auto is_reference = [&](const StudyRun& run) {
-    return run.name == study.reference && !run.timing;
-  };
-  if (std::none_of(study.runs.begin(), study.runs.end(), is_reference)) {
-    throw root.error("reference", "\"" + study.reference + "\"", "the name of one of the runs");
+
+  void add(const StudyRun& run, const TomlTable& table) {
+    for (const StudyRun& other : study_.runs) {
+      if (other.name != run.name) continue;
+      if (!other.computes_the_same_as(run)) {
+        throw table.error("name", "\"" + run.name + "\" a second time, for another computation",
+                          "different names, or the same program, case, set and threads");
+      }
+      if (other == run) return;
+    }
+    study_.runs.push_back(run);
   }
-  root.finish();
-  return study;
+
+  Study study_;
+  std::set<fs::path> files_;
+  std::optional<std::string> title_, reference_;
+  std::string reference_place_;
+  std::optional<Metres> strip_height_;
+  std::optional<std::vector<Seconds>> snapshot_times_;
+  std::optional<std::vector<std::string>> published_;
+};
+
+}  // namespace
+
+std::string_view role_text(Role role) {
+  return roles[static_cast<std::size_t>(role)];
+}
+
+bool StudyRun::computes_the_same_as(const StudyRun& other) const {
+  return program == other.program && case_path == other.case_path && settings == other.settings &&
+         threads == other.threads;
+}
+
+Study read_study(const fs::path& file) {
+  Collector study;
+  study.add_file(file);
+  return study.finished(file);
 }
 
 }  // namespace surge::compare

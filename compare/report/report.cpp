@@ -23,23 +23,20 @@ void write_text(const fs::path& file, const std::string& text) {
   if (!out) throw Error(file.string() + ": cannot be written");
 }
 
-std::string navigation() {
-  std::string html = "<nav><ul>";
-  for (const Section& section : report_sections()) {
-    if (section.title.empty()) continue;
-    html += "<li><a href=\"#" + section.id + "\">" + escape(section.title) + "</a></li>";
-  }
-  return html + "</ul></nav>\n";
-}
-
 std::string body_of(const Page& page) {
-  std::string html = "<h1>" + page.values.text("/study/title") + "</h1>\n" + navigation();
+  std::string links, sections;
   for (const Section& section : report_sections()) {
-    html += "<section id=\"" + section.id + "\">\n";
-    if (!section.title.empty()) html += "<h2>" + escape(section.title) + "</h2>\n";
-    html += section.write(page) + "</section>\n";
+    const std::string written = section.write(page);
+    if (written.empty()) continue;
+    sections += "<section id=\"" + section.id + "\">\n";
+    if (!section.title.empty()) {
+      links += "<li><a href=\"#" + section.id + "\">" + escape(section.title) + "</a></li>";
+      sections += "<h2>" + escape(section.title) + "</h2>\n";
+    }
+    sections += written + "</section>\n";
   }
-  return html;
+  return "<h1>" + page.values.text("/study/title") + "</h1>\n<nav><ul>" + links + "</ul></nav>\n" +
+         sections;
 }
 
 }  // namespace

@@ -162,18 +162,17 @@ std::string point_table(const Page& page) {
 
 void measure_scaling(const StudyResult& study, json& metrics) {
   std::map<std::string, Curve> curves;
-  for (const TimedRun& run : study.timed) {
-    if (run.manifest.is_object()) add_run(run.manifest, curves);
+  for (const RunResult* run : study.runs_of(Role::timing)) {
+    if (run->status == RunStatus::complete && run->manifest.contains("case") &&
+        run->manifest.contains("wall_s"))
+      add_run(run->manifest, curves);
   }
   metrics["scaling"] = json::object();
   for (const auto& [name, curve] : curves) metrics["scaling"][name] = curve_json(study, curve);
 }
 
 std::string write_scaling(const Page& page) {
-  if (page.values.at("/scaling").empty()) {
-    return "<p>This study has no timed runs of different sizes; the full study "
-           "(<code>./Allrun --full</code>) has.</p>\n";
-  }
+  if (page.values.at("/scaling").empty()) return "";
   return fit_table(page) + point_table(page) +
          "<p>Extrapolated: timed over the first steps of the collapse only. The number of steps of "
          "the whole time is that of the study’s own run of the method, times the ratio of the "

@@ -21,7 +21,8 @@ struct Page {
 
 /// A part of the report. First every section adds its numbers to the metrics (what metrics() of
 /// the comparator has measured is there already), then the figures are drawn, then each writes its
-/// HTML below its heading.
+/// HTML below its heading. One that writes nothing, because the study has no runs for it, is left
+/// out of the page.
 struct Section {
   std::string id;     ///< anchor
   std::string title;  ///< heading; empty for the summary, which stands under the page's own

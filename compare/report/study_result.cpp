@@ -4,6 +4,7 @@
 #include <cctype>
 #include <fstream>
 #include <optional>
+#include <set>
 
 #include "compare/figures/table.hpp"
 #include "particle/support/error.hpp"
@@ -39,12 +40,15 @@ bool is_finished(const Run& run) {
   return run.manifest.is_object() && run.manifest.value("finished", false);
 }
 
-/// Throws Error where the two runs computed different cases or share no time.
-void require_comparable(const MeasuredRun& run, const MeasuredRun& reference,
-                        const WallRule& wall) {
+/// Throws Error where the two runs computed different cases or share no time. The wall condition is
+/// one of the choices whose effect a study of sensitivity shows.
+void require_comparable(const MeasuredRun& run, const MeasuredRun& reference, const WallRule& wall,
+                        Role role) {
+  std::set<std::string> allowed;
+  if (role == Role::sensitivity) allowed.insert("wall");
   require_same_physics(
       compare_physics(run.run.physics, run.run.name, reference.run.physics, reference.run.name),
-      {});
+      allowed);
   static_cast<void>(common_window(run.front, reference.front, wall));
 }
 
@@ -68,15 +72,12 @@ MeasuredRun measure_reference(const Study& study, const fs::path& folder,
 }
 
 /// Sets the run's status; gives the measured run where it may stand beside the reference.
-std::optional<MeasuredRun> collect_run(RunResult& result, const fs::path& folder,
-                                       const MeasuredRun& reference, const FrontOptions& options) {
-  if (!fs::exists(folder)) {
-    result.note = folder.string() + " does not exist";
-    return std::nullopt;
-  }
+std::optional<MeasuredRun> measure_run(RunResult& result, const MeasuredRun& reference,
+                                       const FrontOptions& options) {
+  if (!fs::exists(result.folder)) return std::nullopt;
   try {
-    MeasuredRun measured = measure(open_run(folder), options);
-    require_comparable(measured, reference, wall_of(reference.run.physics));
+    MeasuredRun measured = measure(open_run(result.folder), options);
+    require_comparable(measured, reference, wall_of(reference.run.physics), result.study.role);
     return measured;
   } catch (const Error& error) {
     result.status = RunStatus::unusable;
@@ -85,12 +86,45 @@ std::optional<MeasuredRun> collect_run(RunResult& result, const fs::path& folder
   }
 }
 
-TimedRun timed_run(const StudyRun& run, const fs::path& folder) {
+/// What the files say without a look at the flow.
+RunResult find_run(const StudyRun& run, const fs::path& folder) {
+  RunResult result{run, folder, RunStatus::missing, "", nullptr, nullptr};
+  if (!fs::exists(folder)) {
+    result.note = folder.string() + " does not exist";
+    return result;
+  }
   std::ifstream in(folder / "manifest.json");
-  nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
-  const bool good = manifest.is_object() && manifest.value("finished", false) &&
-                    manifest.contains("case") && manifest.contains("wall_s");
-  return {run, good ? std::move(manifest) : nlohmann::json()};
+  const nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
+  result.status = RunStatus::unusable;
+  if (!manifest.is_object()) {
+    result.note = (folder / "manifest.json").string() + " is missing or not readable";
+    return result;
+  }
+  result.manifest = manifest;
+  const bool finished = manifest.value("finished", false);
+  result.status = finished ? RunStatus::complete : RunStatus::unfinished;
+  if (!finished) result.note = manifest.value("stopped", "not finished");
+  return result;
+}
+
+void take_front(RunResult& result, const MeasuredRun& measured) {
+  result.measured = &measured;
+  const bool finished = is_finished(measured.run);
+  result.status = finished ? RunStatus::complete : RunStatus::unfinished;
+  result.note = note_of(measured, finished);
+}
+
+bool has_front(Role role) {
+  return role == Role::comparison || role == Role::sensitivity || role == Role::convergence;
+}
+
+/// The same run in another role, whose front is known already.
+const RunResult* twin(const StudyResult& study, const RunResult& result) {
+  for (const auto* list : {&study.runs, &study.others}) {
+    for (const RunResult& other : *list)
+      if (other.study.name == result.study.name && has_front(other.study.role)) return &other;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -131,6 +165,14 @@ const RunResult& StudyResult::reference() const {
                        [this](const RunResult& r) { return r.study.name == study.reference; });
 }
 
+std::vector<const RunResult*> StudyResult::runs_of(Role role) const {
+  std::vector<const RunResult*> result;
+  for (const auto& run : role == Role::comparison ? runs : others) {
+    if (run.study.role == role) result.push_back(&run);
+  }
+  return result;
+}
+
 std::vector<const RunResult*> StudyResult::measured() const {
   std::vector<const RunResult*> result;
   for (const auto& run : runs) {
@@ -163,27 +205,25 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
     result.published.push_back(read_series(series_folder / (name + ".csv")));
   }
   const FrontOptions options = result.front_options();
-  // Results point into this vector, which therefore must not grow beyond what it holds now.
+  // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
+  result.measured_others.reserve(study.runs.size());
   const MeasuredRun& reference =
       result.measured_runs.emplace_back(measure_reference(study, runs / study.reference, options));
   for (const auto& run : study.runs) {
-    if (run.timing) {
-      result.timed.push_back(timed_run(run, runs / run.name));
-      continue;
+    RunResult entry = find_run(run, runs / run.name);
+    const bool story = run.role == Role::comparison;
+    auto& fronts = story ? result.measured_runs : result.measured_others;
+    if (has_front(run.role)) {
+      if (story && run.name == study.reference) {
+        take_front(entry, reference);
+      } else if (const RunResult* known = twin(result, entry); known && known->measured && !story) {
+        take_front(entry, *known->measured);
+      } else if (auto measured = measure_run(entry, reference, options)) {
+        take_front(entry, fronts.emplace_back(std::move(*measured)));
+      }
     }
-    RunResult entry{run, RunStatus::missing, "", nullptr};
-    if (run.name == study.reference) {
-      entry.measured = &reference;
-    } else if (auto measured = collect_run(entry, runs / run.name, reference, options)) {
-      entry.measured = &result.measured_runs.emplace_back(std::move(*measured));
-    }
-    if (entry.measured != nullptr) {
-      const bool finished = is_finished(entry.measured->run);
-      entry.status = finished ? RunStatus::complete : RunStatus::unfinished;
-      entry.note = note_of(*entry.measured, finished);
-    }
-    result.runs.push_back(std::move(entry));
+    (story ? result.runs : result.others).push_back(std::move(entry));
   }
   return result;
 }

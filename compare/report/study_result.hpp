@@ -24,9 +24,12 @@ enum class RunStatus {
 /// One run that the study asks for, whether it exists or not.
 struct RunResult {
   StudyRun study;
+  std::filesystem::path folder;
   RunStatus status = RunStatus::missing;
-  std::string note;  ///< why it is not complete, or what is wrong with its front
-  const MeasuredRun* measured = nullptr;  ///< of complete and unfinished runs, in StudyResult
+  std::string note;         ///< why it is not complete, or what is wrong with its front
+  nlohmann::json manifest;  ///< null where there is none
+  /// Its front, in StudyResult: of complete and unfinished runs, where the role asks for one.
+  const MeasuredRun* measured = nullptr;
 
   /// "MPS paper, l0 = 5 mm", "VOF, 20 cells per L"; the run's name where nothing is known of it.
   [[nodiscard]] std::string label() const;
@@ -34,24 +37,22 @@ struct RunResult {
   [[nodiscard]] std::optional<Seconds> last_time() const;
 };
 
-/// A run that was made to be timed: only its manifest counts.
-struct TimedRun {
-  StudyRun study;
-  nlohmann::json manifest;  ///< null where the run is missing, unfinished or not readable
-};
-
 /// Everything that figures and report sections are made from.
 struct StudyResult {
   Study study;
-  std::vector<RunResult> runs;             ///< in the study's order, none left out
+  std::vector<RunResult> runs;             ///< of role comparison: in the study's order, all
   std::vector<MeasuredRun> measured_runs;  ///< those that could be; the reference is the first
   std::vector<PublishedSeries> published;
-  std::vector<TimedRun> timed;  ///< those of the study's runs that `runs` leaves out
+  std::vector<RunResult> others;             ///< those of all other roles
+  std::vector<MeasuredRun> measured_others;  ///< of the roles sensitivity and convergence
+
+  /// In the study's order, none left out, be they missing or not.
+  [[nodiscard]] std::vector<const RunResult*> runs_of(Role role) const;
 
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
   [[nodiscard]] const RunResult& reference() const;
   [[nodiscard]] const MeasuredRun& reference_run() const { return *reference().measured; }
-  /// Runs that have a front, in the study's order.
+  /// Runs of role comparison that have a front, in the study's order.
   [[nodiscard]] std::vector<const RunResult*> measured() const;
   [[nodiscard]] WallRule wall() const;
   /// When the reference's front is at the far wall; empty where it never is.
@@ -63,7 +64,8 @@ struct StudyResult {
   mutable std::map<std::string, PatternHistory> patterns_;
 };
 
-/// Finds each run's status, and the fronts of those that can be compared with the reference.
+/// Finds each run's status, and the fronts of those that can be compared with the reference: of
+/// the roles comparison, sensitivity (whose runs may have another wall condition) and convergence.
 /// Published series are read from `series_folder`. Throws Error where the reference cannot be
 /// measured; any other run's failure becomes its status.
 [[nodiscard]] StudyResult collect(const Study& study, const std::filesystem::path& runs,

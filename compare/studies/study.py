@@ -23,8 +23,10 @@ REFERENCE = Path("compare/reference")
 RUNS = Path("runs")
 REPORT = Path("report")
 NO_CODE = ("version.cpp.o", "preset_files.cpp.o")  # the commit; the presets, looked at one by one
-RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break", "timing",
+RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break", "role", "group",
             "repeats")
+# What a run is made for. Those after the first two say in `group` what they belong to.
+ROLES = ("comparison", "timing", "sensitivity", "convergence", "verification")
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
@@ -39,7 +41,7 @@ class StudyError(Exception):
 
 @dataclass(frozen=True)
 class Run:
-    """One [[run]] table of a study."""
+    """One [[run]] table of a study, or several that agree in all but role and group."""
 
     name: str
     program: str
@@ -48,6 +50,7 @@ class Run:
     threads: int
     timed: bool  # alone on the machine
     may_break: bool  # an end before its time is a result, as of the bare equations that break up
+    role: str = "comparison"  # the first of several
 
     @property
     def folder(self) -> Path:
@@ -112,12 +115,13 @@ class Study:
     """A study file, as far as the workflow is concerned."""
 
     path: Path
+    files: tuple[Path, ...]  # itself and what it includes
     runs: tuple[Run, ...]
 
     def inputs(self) -> dict[str, str]:
         """What decides about the report, besides the runs' own results."""
         return {
-            "study": _digest(_canonical(self.path)),
+            "study": _digest(*[_canonical(file) for file in self.files]),
             "runs": _digest(*[run.digest() for run in self.runs]),
             "reference": _digest(*_files(sorted(REFERENCE.glob("*.csv")))),
             "program": _program_digest("surge-compare"),
@@ -142,22 +146,49 @@ class Study:
 
 def load(path: Path) -> Study:
     """Reads and checks the [[run]] tables; the rest of the study is surge-compare's to check."""
+    path = Path(path)
+    files: dict[Path, Path] = {}  # as they are, as they were named
+    runs: dict[str, Run] = {}
+    _add_file(path, files, runs)
+    if not runs:
+        raise StudyError(f"{path}: run: found no [[run]] table, expected at least one")
+    return Study(path, tuple(files.values()), tuple(runs.values()))
+
+
+def _add_file(path: Path, files: dict[Path, Path], runs: dict[str, Run]) -> None:
+    """Adds the runs of the files that a study includes, then its own; no file counts twice."""
+    if path.resolve() in files:
+        return
+    files[path.resolve()] = path
     try:
-        text = Path(path).read_text(encoding="utf-8")
-        tables = tomllib.loads(text).get("run", [])
+        text = path.read_text(encoding="utf-8")
+        document = tomllib.loads(text)
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise StudyError(f"{path}: {error}") from error
-    header = re.compile(r"\s*\[\[\s*run\s*\]\]")
-    lines = [n for n, line in enumerate(text.splitlines(), 1) if header.match(line)]
-    if not tables or len(lines) != len(tables):
-        raise StudyError(f"{path}: run: found no [[run]] table, expected at least one")
-    runs = []
+    included = document.get("include", [])
+    where = _lines(text, r"include\s*=") or [1]
+    if not isinstance(included, list) or not all(isinstance(name, str) for name in included):
+        raise StudyError(f"{path}:{where[0]}: include: found {included!r}, expected a list of studies")
+    for name in included:
+        if not (path.parent / name).is_file():
+            raise StudyError(f"{path}:{where[0]}: include: found '{name}', "
+                             "expected a study, named relative to this file")
+        _add_file(Path(os.path.normpath(path.parent / name)), files, runs)
+    tables = document.get("run", [])
+    lines = _lines(text, r"\[\[\s*run\s*\]\]")
+    if not isinstance(tables, list) or len(lines) != len(tables):
+        raise StudyError(f"{path}: run: found something else, expected [[run]] tables")
     for table, line in zip(tables, lines):
         for run in _repeats(table, f"{path}:{line}"):
-            if run.name in [other.name for other in runs]:
-                raise StudyError(f"{path}:{line}: name: found '{run.name}' a second time")
-            runs.append(run)
-    return Study(Path(path), tuple(runs))
+            known = runs.setdefault(run.name, run)
+            if replace(known, role=run.role, timed=run.timed) != run:
+                raise StudyError(f"{path}:{line}: name: found '{run.name}' a second time, "
+                                 "for another computation")
+            runs[run.name] = replace(known, timed=known.timed or run.timed)
+
+
+def _lines(text: str, pattern: str) -> list[int]:
+    return [n for n, line in enumerate(text.splitlines(), 1) if re.match(r"\s*" + pattern, line)]
 
 
 def _repeats(table: dict, where: str) -> list[Run]:
@@ -166,8 +197,6 @@ def _repeats(table: dict, where: str) -> list[Run]:
     count = table.get("repeats", 1)
     if type(count) is not int or not 1 <= count <= 99:
         raise StudyError(f"{where}: repeats: found {count!r}, expected a whole number from 1 to 99")
-    if type(table.get("timing", False)) is not bool:
-        raise StudyError(f"{where}: timing: found {table['timing']!r}, expected true or false")
     return [run] + [replace(run, name=f"{run.name}-repeat{k}") for k in range(2, count + 1)]
 
 
@@ -185,6 +214,10 @@ def _run(table: dict, where: str) -> Run:
             raise StudyError(f"{where}: {key}: found an unknown key, expected one of {expected}")
     program = value("program", ("surge-particle", "interFoam").__contains__,
                     "'surge-particle' or 'interFoam'")
+    role = value("role", ROLES.__contains__, f"one of {', '.join(ROLES)}", ROLES[0])
+    belongs = value("group", lambda found: isinstance(found, str), "a text", "")
+    if not belongs and role not in ROLES[:2]:
+        raise StudyError(f"{where}: group: found nothing, expected what a run of role {role} belongs to")
     case_there = os.path.isdir if program == "interFoam" else os.path.isfile
     is_text = lambda found: isinstance(found, str)
     return Run(
@@ -199,6 +232,7 @@ def _run(table: dict, where: str) -> Run:
         threads=value("threads", lambda t: type(t) is int and t >= 1, "a whole number >= 1", 1),
         timed=value("timed", lambda t: type(t) is bool, "true or false", True),
         may_break=value("may_break", lambda t: type(t) is bool, "true or false", False),
+        role=role,
     )
 
 

@@ -82,8 +82,9 @@ TEST(Scaling, FitsTheTimedRunsAndKeepsThemOutOfEverythingElse) {
   std::string study = read_text(files.study());
   for (const int n : {10, 20, 40, 80}) {
     const std::string name = "time-" + std::to_string(n);
-    study += "[[run]]\nname = \"" + name +
-             "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\ntiming = true\nrepeats = 3\n";
+    study +=
+        "[[run]]\nname = \"" + name +
+        "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nrole = \"timing\"\nrepeats = 3\n";
     for (const char* repeat : {"", "-repeat2", "-repeat3"}) {
       json manifest = testing::dam_break_manifest();
       const double all = 2.0 * n * n;
@@ -124,7 +125,7 @@ TEST(Scaling, UnfinishedTimedRunsDoNotCount) {
   std::string study = read_text(files.study());
   study +=
       "[[run]]\nname = \"time-1\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n"
-      "timing = true\n";
+      "role = \"timing\"\n";
   testing::write_text(files.study(), study);
   testing::write_text(files.runs() / "time-1/manifest.json", "{\"finished\": false}");
   EXPECT_TRUE(report_metrics(files.collected())["scaling"].empty());

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 #include "synthetic.hpp"
 
 namespace surge::compare {
@@ -60,11 +62,118 @@ TEST(Study, BadEntriesAreNamedWithTheirLine) {
               HasSubstr("study.toml:2: reference"));
   EXPECT_THAT(refused("\"interFoam\"", "\"fluent\""), HasSubstr("program"));
   EXPECT_THAT(refused("[0.1, 0.2]", "[0.2, 0.1]"), HasSubstr("snapshot_times"));
-  EXPECT_THAT(refused("name = \"vof-20\"", "name = \"mps-paper-0.005\""), HasSubstr("second time"));
+  EXPECT_THAT(refused("name = \"vof-20\"", "name = \"mps-paper-0.005\""),
+              HasSubstr("study.toml:15: run.1.name: found \"mps-paper-0.005\" a second time"));
   EXPECT_THAT(refused("\"mps-paper-0.005\"", "\"../mps\""), HasSubstr("name"));
   EXPECT_THAT(refused("\"method.name=mps\"", "\"method.name\""), HasSubstr("key=value"));
   EXPECT_THAT(refused("threads = 2", "threads = 0"), HasSubstr("threads"));
   EXPECT_THAT(refused("threads = 2", "thread = 2"), HasSubstr("thread"));
+  EXPECT_THAT(refused("threads = 2", "role = \"tming\""), HasSubstr("role"));
+  EXPECT_THAT(refused("threads = 2", "timing = true"), HasSubstr("timing"));
+  EXPECT_THAT(
+      refused("threads = 2", "role = \"sensitivity\""),
+      HasSubstr("group: found nothing, expected what a run of role sensitivity belongs to"));
+  EXPECT_THAT(refused("title", "include = [\"none.toml\"]\ntitle"),
+              HasSubstr("study.toml:1: include: found \"none.toml\""));
+}
+
+TEST(Study, RunsHaveRolesAndGroups) {
+  const Study study = read(good, "threads = 2", "role = \"convergence\"\ngroup = \"mps\"");
+  EXPECT_EQ(study.runs[0].role, Role::convergence);
+  EXPECT_EQ(study.runs[0].group, "mps");
+  EXPECT_EQ(study.runs[1].role, Role::comparison);
+  EXPECT_EQ(role_text(Role::verification), "verification");
+}
+
+TEST(Study, TheReferenceIsOneOfTheRunsThatAreCompared) {
+  EXPECT_THAT(error_of([] {
+                (void)read(good, "foam_cases/damBreak2D\"",
+                           "foam_cases/damBreak2D\"\nrole = \"timing\"");
+              }),
+              HasSubstr("study.toml:2: reference: found \"vof-20\""));
+}
+
+TEST(Study, ThoseOfThisRepositoryAreRead) {
+  const std::filesystem::path folder = std::string(SURGE_SOURCE_DIR) + "/compare/studies";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_NO_THROW((void)read_study(entry.path())) << entry.path();
+  }
+}
+
+/// A folder with `good` as base.toml and a study that includes it.
+class IncludingStudy : public ::testing::Test {
+ protected:
+  Study read_with(const std::string& text) {
+    testing::write_text(folder_ / "parts/base.toml", good);
+    return read_study(testing::write_text(folder_ / "study.toml", text));
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(IncludingStudy, HasTheRunsOfBothAndTheOthersHeadWhereItHasNone) {
+  const Study study = read_with(R"(title = "More"
+include = ["parts/base.toml"]
+[[run]]
+name = "coarse"
+program = "surge-particle"
+case = "particle/cases/dam_break.toml"
+role = "sensitivity"
+group = "spacing"
+)");
+  EXPECT_EQ(study.title, "More");
+  EXPECT_EQ(study.reference, "vof-20");
+  EXPECT_EQ(study.strip_height, Metres(0.015));
+  ASSERT_EQ(study.runs.size(), 3U);
+  EXPECT_EQ(study.runs[0].name, "mps-paper-0.005");
+  EXPECT_EQ(study.runs[2].name, "coarse");
+}
+
+TEST_F(IncludingStudy, OneRunMayHaveSeveralRoles) {
+  const Study study = read_with(R"(include = ["parts/base.toml", "parts/../parts/base.toml"]
+[[run]]
+name = "mps-paper-0.005"
+program = "surge-particle"
+case = "particle/cases/dam_break.toml"
+set = ["method.name=mps", "resolution.spacing=0.005"]
+threads = 2
+role = "convergence"
+group = "mps"
+[[run]]
+name = "vof-20"
+program = "interFoam"
+case = "foam_cases/damBreak2D"
+)");
+  ASSERT_EQ(study.runs.size(), 3U);
+  EXPECT_EQ(std::pair(study.runs[0].name, study.runs[0].role),
+            std::pair(std::string("mps-paper-0.005"), Role::comparison));
+  EXPECT_EQ(std::pair(study.runs[2].name, study.runs[2].role),
+            std::pair(std::string("mps-paper-0.005"), Role::convergence));
+}
+
+TEST_F(IncludingStudy, OneNameForTwoComputationsIsAnError) {
+  const std::string error = error_of([&] {
+    (void)read_with(R"(include = ["parts/base.toml"]
+[[run]]
+name = "vof-20"
+program = "interFoam"
+case = "foam_cases/damBreak2D"
+set = ["cellsPerL=40"]
+)");
+  });
+  EXPECT_THAT(error, HasSubstr("study.toml:3: run.0.name: found \"vof-20\" a second time"));
+}
+
+TEST_F(IncludingStudy, MistakesAreToldWithTheIncludedFile) {
+  testing::write_text(folder_ / "parts/wrong.toml", "[[run]]\nname = \"a\"\nprogram = \"b\"\n");
+  EXPECT_THAT(error_of([&] { (void)read_with("include = [\"parts/wrong.toml\"]"); }),
+              HasSubstr("wrong.toml:3: run.0.program"));
+  EXPECT_THAT(error_of([&] {
+                (void)read_with(
+                    "[[run]]\nname = \"a\"\nprogram = \"interFoam\"\n"
+                    "case = \"c\"\n");
+              }),
+              HasSubstr("study.toml:1: title: found nothing"));
 }
 
 }  // namespace

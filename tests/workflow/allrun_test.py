@@ -203,6 +203,20 @@ class Repetition(Project):
         self.write("particle/cases/presets/sph-bare.toml", "[sph]\ngamma = 1\n")
         self.succeed(ran=["second", "report"])
 
+    def test_an_included_study_is_part_of_it(self):
+        part = STUDY[STUDY.index("[[run]]"):].replace("{second}", "")
+        self.write("compare/studies/part.toml", part)
+        twice = part.replace('name = "first"', 'name = "first"\nrole = "convergence"\ngroup = "x"')
+        more = twice.split("[[run]]")[1].replace('"first"', '"third"')
+        self.study('title = "test"\nreference = "vof"\ninclude = ["part.toml"]\n'
+                   + twice + "[[run]]" + more)
+        self.succeed(ran=[*ALL, "third"])
+        self.succeed(ran=[])
+        self.write("compare/studies/part.toml", "# a word\n" + part)
+        self.succeed(ran=[])
+        self.write("compare/studies/part.toml", part + 'role = "verification"\ngroup = "y"\n')
+        self.succeed(ran=["report"])
+
     def test_force_repeats_everything(self):
         self.succeed(ran=ALL)
         self.succeed("--force", ran=ALL)
@@ -391,9 +405,11 @@ class Mistakes(Project):
         for wrong, right, expected in [
             ("threads = 2", "threads = 0", f"{where}:15: threads: found 0, expected a whole number >= 1"),
             ("threads = 2", "repeats = 0", f"{where}:15: repeats: found 0, expected a whole number"),
-            ("threads = 2", "timing = 1", f"{where}:15: timing: found 1, expected true or false"),
+            ("threads = 2", "role = 'tming'", f"{where}:15: role: found 'tming', expected one of comparison"),
+            ("threads = 2", "role = 'sensitivity'", f"{where}:15: group: found nothing, expected what"),
+            ('title = "test"', 'title = "t"\ninclude = ["no.toml"]', f"{where}:2: include: found 'no.toml'"),
             ("threads = 2", "treads = 2", f"{where}:15: treads: found an unknown key"),
-            ('name = "second"', 'name = "first"', f"{where}:9: name: found 'first' a second time"),
+            ('name = "first"', 'name = "vof"', f"{where}:15: name: found 'vof' a second time"),
             ('name = "second"', 'name = "../x"', f"{where}:9: name: found '../x', expected a name"),
             ('program = "interFoam"', 'program = "foam"', f"{where}:15: program: found 'foam', expected"),
             ("foam_cases/tank", "foam_cases/pond", f"{where}:15: case: found 'foam_cases/pond', expected"),
