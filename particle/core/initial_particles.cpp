@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace surge {
 namespace {
@@ -48,6 +49,10 @@ Vec<D> cell_centre(const Box& box, const std::array<int, D>& k, double l0) {
   return x;
 }
 
+double length(const Point& v) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
 Point block_velocity(const FluidBlock& block, const Point& x) {
   Point v = block.velocity;
   for (std::size_t a = 0; a < 3; ++a)
@@ -55,6 +60,21 @@ Point block_velocity(const FluidBlock& block, const Point& x) {
       v[a] +=
           block.velocity_gradient[a][b] * (x[b] - 0.5 * (block.box.lower[b] + block.box.upper[b]));
   return v;
+}
+
+/// Velocity (m/s) at time zero of the standing wave eta = A cos k(x - x0) sin omega t on a layer of
+/// depth H between frictionless walls at x0 and x0 + pi/k, when its surface is flat: by linear
+/// theory (Lamb, Hydrodynamics, Art. 228),
+///   u = -A omega sin k(x - x0) cosh k(y - y0) / sinh kH,
+///   v =  A omega cos k(x - x0) sinh k(y - y0) / sinh kH,  omega^2 = g k tanh kH.
+Point wave_velocity(const FluidBlock& block, double g, const Point& x) {
+  const double k = std::numbers::pi / (block.box.upper[0] - block.box.lower[0]);
+  const double depth = k * (block.box.upper[1] - block.box.lower[1]);
+  const double scale =
+      block.wave_amplitude * std::sqrt(g * k * std::tanh(depth)) / std::sinh(depth);
+  const double along = k * (x[0] - block.box.lower[0]);
+  const double up = k * (x[1] - block.box.lower[1]);
+  return {-scale * std::sin(along) * std::cosh(up), scale * std::cos(along) * std::sinh(up), 0.0};
 }
 
 bool inside_ball(const Box& box, const Point& x, int dimension) {
@@ -75,7 +95,7 @@ Point as_point(const Vec<D>& x) {
 }
 
 template <int D>
-void add_block(Particles<D>& p, const FluidBlock& block, double l0) {
+void add_block(Particles<D>& p, const FluidBlock& block, double g, double l0) {
   for_each_cell<D>({}, cells_of<D>(block.box, l0), [&](const std::array<int, D>& k) {
     const Vec<D> x = cell_centre<D>(block.box, k, l0);
     const Point point = as_point<D>(x);
@@ -83,6 +103,10 @@ void add_block(Particles<D>& p, const FluidBlock& block, double l0) {
     const Point velocity = block_velocity(block, point);
     Vec<D> v;
     std::copy_n(velocity.begin(), D, v.begin());
+    if (block.wave_amplitude > 0.0) {
+      const Point wave = wave_velocity(block, g, point);
+      for (int a = 0; a < D; ++a) v[a] += wave[a];
+    }
     append<D>(p, x, v, ParticleType::fluid);
   });
 }
@@ -123,10 +147,6 @@ void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
   });
 }
 
-double length(const Point& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 /// Height of a point of the box above the box's lowest point, along -gravity: its extent.
 double extent_along(const Box& box, const Point& direction) {
   double sum = 0.0;
@@ -139,15 +159,23 @@ double extent_along(const Box& box, const Point& direction) {
 template <int D>
 Particles<D> initial_particles(const Case& c, int wall_layers) {
   Particles<D> p;
-  for (const FluidBlock& block : c.blocks) add_block<D>(p, block, c.spacing);
+  for (const FluidBlock& block : c.blocks) add_block<D>(p, block, length(c.gravity), c.spacing);
   if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
   for (const Box& box : c.obstacles) add_obstacle<D>(p, box, c.spacing, wall_layers);
   return p;
 }
 
+Point still_gravity(const Case& c) {
+  Point g = c.gravity;
+  for (std::size_t a = 0; a < 3; ++a)
+    if (c.has_tank && c.tank.periodic[a]) g[a] = 0.0;
+  return g;
+}
+
 template <int D>
 double initial_depth(const Case& c, const Vec<D>& x, double reach) {
-  const double g = length(c.gravity);
+  const Point gravity = still_gravity(c);
+  const double g = length(gravity);
   if (g == 0.0) return 0.0;
   double depth = 0.0;
   for (const FluidBlock& block : c.blocks) {
@@ -158,8 +186,8 @@ double initial_depth(const Case& c, const Vec<D>& x, double reach) {
       const double upper = block.box.upper[a];
       const double gap = std::max({0.0, lower - x[a], x[a] - upper});
       outside += gap * gap;
-      const double top = c.gravity[a] < 0.0 ? upper : lower;
-      below_top += c.gravity[a] / g * (x[a] - top);
+      const double top = gravity[a] < 0.0 ? upper : lower;
+      below_top += gravity[a] / g * (x[a] - top);
     }
     if (outside <= reach * reach) depth = std::max(depth, below_top);
   }
@@ -167,13 +195,15 @@ double initial_depth(const Case& c, const Vec<D>& x, double reach) {
 }
 
 double reference_speed(const Case& c) {
-  const double g = length(c.gravity);
+  if (c.reference_speed > 0.0) return c.reference_speed;
+  const Point gravity = still_gravity(c);
+  const double g = length(gravity);
   double speed = 0.0;
   for (const FluidBlock& block : c.blocks) {
     // The fluid can fall from the top of its block to the tank's floor.
     double height = 0.0;
     if (g > 0.0) {
-      const Point down{c.gravity[0] / g, c.gravity[1] / g, c.gravity[2] / g};
+      const Point down{gravity[0] / g, gravity[1] / g, gravity[2] / g};
       height = extent_along(block.box, down);
       if (c.has_tank) {
         for (std::size_t a = 0; a < 3; ++a) {

@@ -16,4 +16,10 @@ inline double courant_step(const TimeControl& control, double spacing, double v_
   return std::min(limit, control.maximum_step);
 }
 
+/// The longest step (s) that keeps explicit diffusion stable, factor length^2 / nu (m, m2/s); no
+/// limit without viscosity.
+inline double viscous_step(double factor, double length, double nu) {
+  return nu > 0.0 ? factor * length * length / nu : std::numeric_limits<double>::max();
+}
+
 }  // namespace surge

@@ -26,6 +26,8 @@ struct FluidBlock {
   Point velocity{};  ///< m/s, at the centre of the block
   /// dv_a/dx_b in 1/s: the initial velocity is velocity + gradient (x - centre).
   std::array<Point, 3> velocity_gradient{};
+  /// m; > 0: besides, the velocities of a standing wave of this amplitude on the box's flat surface
+  double wave_amplitude = 0.0;
 };
 
 enum class WallCondition { slip, no_slip };
@@ -61,6 +63,7 @@ struct Case {
   int dimension = 2;
   double density = 1000.0;           ///< kg/m3
   double kinematic_viscosity = 0.0;  ///< m2/s
+  double reference_speed = 0.0;      ///< m/s, the flow's; 0: reference_speed() finds one
   Point gravity{0.0, -9.81, 0.0};    ///< m/s2
   bool has_tank = false;
   Tank tank;

@@ -54,6 +54,7 @@ class Checker {
     if (case_.blocks.empty()) throw root_.error("block", "no fluid", "at least one [[block]]");
     if (case_.has_tank) check_tank();
     check_bodies("block");
+    check_speed();
     check_bodies("obstacle");
     check_overlaps();
     check_probes();
@@ -107,6 +108,22 @@ class Checker {
     }
   }
 
+  /// SPH takes its speed of sound from the flow's: there must be one.
+  void check_speed() const {
+    if (case_.method_name() != "sph" || reference_speed(case_) > 0.0) return;
+    throw root_.table("fluid").error("reference_speed", "a case without a speed",
+                                     "the flow's largest speed in m/s");
+  }
+
+  void check_wave(const TomlTable& table, const FluidBlock& block) const {
+    const std::string found = number_text(block.wave_amplitude) + " m";
+    if (block.shape != FluidBlock::Shape::box)
+      throw table.error("wave_amplitude", found + " on a ball", "a wave on a box");
+    const Point& g = case_.gravity;
+    if (!(g[0] == 0.0 && g[1] < 0.0 && g[2] == 0.0))
+      throw table.error("wave_amplitude", found + " without gravity along -y", "gravity along -y");
+  }
+
   [[nodiscard]] Box box_of(const std::string& kind, std::size_t i) const {
     return kind == "block" ? case_.blocks[i].box : case_.obstacles[i];
   }
@@ -119,6 +136,8 @@ class Checker {
       check_extent(tables[i], box);
       if (kind == "block" && case_.blocks[i].shape == FluidBlock::Shape::ball)
         check_ball(tables[i], box);
+      if (kind == "block" && case_.blocks[i].wave_amplitude > 0.0)
+        check_wave(tables[i], case_.blocks[i]);
     }
   }
 

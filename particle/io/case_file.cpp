@@ -65,6 +65,7 @@ FluidBlock read_block(const TomlTable& table, int dimension) {
       std::copy(rows[a].begin(), rows[a].end(), block.velocity_gradient[a].begin());
     }
   }
+  block.wave_amplitude = table.number_or("wave_amplitude", 0.0, Bounds::at_least(0.0));
   return block;
 }
 
@@ -109,6 +110,7 @@ Case read_tables(const TomlTable& root) {
   const TomlTable fluid = root.table("fluid");
   c.density = fluid.number("density", Bounds::above(0.0));
   c.kinematic_viscosity = fluid.number_or("kinematic_viscosity", 0.0, Bounds::at_least(0.0));
+  c.reference_speed = fluid.number_or("reference_speed", 0.0, Bounds::at_least(0.0));
   c.gravity = read_point(fluid, "gravity", c.dimension);
   c.has_tank = root.has("tank");
   if (c.has_tank) c.tank = read_tank(root.table("tank"), c.dimension);

@@ -39,6 +39,7 @@ json block_json(const FluidBlock& block) {
   j["shape"] = name_of(block.shape);
   j["velocity"] = block.velocity;
   j["velocity_gradient"] = block.velocity_gradient;
+  j["wave_amplitude"] = block.wave_amplitude;
   return j;
 }
 
@@ -87,6 +88,7 @@ json to_json(const Case& c) {
   j["spacing"] = c.spacing;
   j["fluid"] = {{"density", c.density},
                 {"kinematic_viscosity", c.kinematic_viscosity},
+                {"reference_speed", c.reference_speed},
                 {"gravity", c.gravity}};
   j["tank"] = c.has_tank ? tank_json(c.tank) : json(nullptr);
   j["blocks"] = json::array();

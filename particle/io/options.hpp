@@ -48,6 +48,14 @@ inline constexpr std::array enum_names<mps::GradientModel>{
     Named{"conserving", mps::GradientModel::conserving},
     Named{"corrected", mps::GradientModel::corrected}};
 template <>
+inline constexpr std::array enum_names<mps::ViscousTerm>{
+    Named{"laplacian", mps::ViscousTerm::laplacian},
+    Named{"deformation", mps::ViscousTerm::deformation}};
+template <>
+inline constexpr std::array enum_names<sph::ViscousTerm>{
+    Named{"laplacian", sph::ViscousTerm::laplacian},
+    Named{"deformation", sph::ViscousTerm::deformation}};
+template <>
 inline constexpr std::array enum_names<sph::Kernel>{
     Named{"quintic_spline", sph::Kernel::quintic_spline},
     Named{"wendland_c2", sph::Kernel::wendland_c2}};
@@ -91,6 +99,8 @@ void visit_options(P& p, Visitor&& option) {
          "gamma, the share of the density error in divergence_and_density");
   option("gradient", p.gradient, any,
          "pressure gradient: conserving is Khayyer & Gotoh (2008), corrected (2011)");
+  option("viscous_term", p.viscous_term, any,
+         "laplacian of the velocity, Eq. (7), or divergence of its rate of deformation");
   option("source_relaxation", p.source_relaxation, Bounds::above_to(0.0, 1.0),
          "factor on the source of the pressure equation, Eq. (12)");
   option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
@@ -122,6 +132,8 @@ void visit_options(P& p, Visitor&& option) {
   option("acoustic_courant", p.acoustic_courant, Bounds::at_least(0.0),
          "dt <= this h / (c0 + v_max); 0: only Eq. (25) limits the step");
   option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
+  option("viscous_term", p.viscous_term, any,
+         "laplacian is Morris, Fox & Zhu (1997), deformation Monaghan & Gingold (1983)");
   option("artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),
          "alpha of the artificial viscosity, Monaghan (1992)");
   option("density_diffusion", p.density_diffusion, Bounds::at_least(0.0),

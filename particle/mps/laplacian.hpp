@@ -50,4 +50,29 @@ double laplacian_sum(std::size_t i, std::span<const std::uint32_t> neighbours,
   return sum;
 }
 
+/// (D + 2) sum_{j != i} [(v_j - v_i) . e] e w with e = (x_j - x_i)/r, for the neighbours that
+/// `counts` lets in; times the same factor it is lap v + 2 grad div v: the mean of e e e e over
+/// directions is (1 + 1 + 1)/(D (D + 2)) where that of e e is 1/D. The pairwise form of Monaghan &
+/// Gingold (1983), J. Comput. Phys. 52, with the weights of MPS. Where the sum is one-sided, it
+/// gives div 2D and with it the stress-free surface in the sense of the energy balance, which the
+/// Laplacian does not (Colagrossi et al. 2011, Phys. Rev. E 84, 026705), and it conserves angular
+/// momentum.
+template <int D, class Counts>
+Vec<D> deformation_sum(std::size_t i, std::span<const std::uint32_t> neighbours,
+                       const Displacement<D>& displacement, double re,
+                       const std::array<Field, D>& v, Counts&& counts) {
+  Vec<D> sum{};
+  for (const std::uint32_t j : neighbours) {
+    if (!counts(j)) continue;
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    double approach = 0.0;
+    for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
+    const double factor = (D + 2) * approach / r2 * mps_weight(std::sqrt(r2), re);
+    for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
+  }
+  return sum;
+}
+
 }  // namespace surge::mps

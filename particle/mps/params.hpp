@@ -31,6 +31,12 @@ enum class GradientModel {
                ///< surface
 };
 
+/// Model of the viscous term.
+enum class ViscousTerm {
+  laplacian,   ///< nu lap v by Eq. (7), the original's (Koshizuka & Oka 1996)
+  deformation  ///< by the rate of deformation, pairwise along the line between the particles
+};
+
 /// Choices of the MPS method. Lengths are in units of the particle spacing l0.
 struct Params {
   double re_gradient = 2.1;   ///< number density, gradient and free surface
@@ -41,6 +47,7 @@ struct Params {
   Source source = Source::number_density;
   double density_share = 0.01;  ///< gamma of Tanaka & Masunaga (2010)
   GradientModel gradient = GradientModel::minimum;
+  ViscousTerm viscous_term = ViscousTerm::laplacian;
   double source_relaxation = 1.0;  ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;
   PpeSolver ppe_solver = PpeSolver::multigrid;

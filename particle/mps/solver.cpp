@@ -39,6 +39,7 @@ Solver<D>::Solver(const Case& c)
       re_laplacian_(params_.re_laplacian * c.spacing),
       n0_(reference_number_density<D>(params_.re_gradient)),
       laplacian_factor_(factor_of<D>(params_, c.spacing)),
+      viscous_lambda_(laplacian_lambda<D>(Lambda::lattice, params_.re_laplacian, c.spacing)),
       collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
       walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
       p_(initial_particles<D>(c, wall_layers)),
@@ -49,6 +50,10 @@ Solver<D>::Solver(const Case& c)
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   for (int a = 0; a < D; ++a) correction_[a].assign(p_.size(), 0.0);
+  for (int a = 0; a < D; ++a) {
+    rubbing_velocity_[a].assign(p_.size(), 0.0);
+    assembly_.system().period[a] = periodicity_.length[a];
+  }
   least_.assign(p_.size(), 0.0);
   unknown_.assign(p_.size(), -1);
   find_neighbours();
@@ -59,7 +64,8 @@ Solver<D>::Solver(const Case& c)
 
 template <int D>
 double Solver<D>::stable_step() const {
-  const double dt = courant_step(control_, spacing_, v_max_);
+  const double dt = std::min(courant_step(control_, spacing_, v_max_),
+                             viscous_step(0.25 / (D + 2), std::sqrt(viscous_lambda_), nu_));
   return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
 }
 
@@ -102,22 +108,61 @@ void Solver<D>::apply_body_forces(double dt) {
   });
 }
 
-/// nu lap v by the Laplacian model, with the neighbours of the step before. A no-slip wall is at
-/// rest and counts; a slip wall does not.
+/// The viscous term with the neighbours of the step before. A no-slip wall counts, a slip wall does
+/// not. Two neighbours' sums bound the eigenvalues, by which stable_step() is half the stable one.
 template <int D>
 void Solver<D>::add_viscosity(double dt) {
   const Displacement<D> displacement(p_.x, periodicity_);
+  for (int a = 0; a < D; ++a)
+    std::copy(p_.v[a].begin(), p_.v[a].end(), rubbing_velocity_[a].begin());
+  if (no_slip_) extrapolate_to_walls(displacement);
   for_each_fluid([&](std::size_t i) {
+    const Vec<D> acceleration = viscous_acceleration(i, displacement);
+    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * acceleration[a];
+  });
+}
+
+/// m/s2. The paper has no viscous term: its lambda does not enter.
+template <int D>
+Vec<D> Solver<D>::viscous_acceleration(std::size_t i, const Displacement<D>& displacement) const {
+  const double factor =
+      nu_ * laplacian_factor<D>(reference_number_density<D>(params_.re_laplacian), viscous_lambda_);
+  const auto counts = [&](std::size_t j) { return no_slip_ || is_fluid(j); };
+  Vec<D> sum{};
+  if (params_.viscous_term == ViscousTerm::deformation) {
+    sum =
+        deformation_sum<D>(i, list_.of(i), displacement, re_laplacian_, rubbing_velocity_, counts);
+  } else {
     for (int a = 0; a < D; ++a)
-      correction_[a][i] = nu_ * laplacian_factor_ *
-                          laplacian_sum<D>(
-                              i, list_.of(i), displacement, re_laplacian_,
-                              [&](std::size_t j) { return p_.v[a][j]; },
-                              [&](std::size_t j) { return no_slip_ || is_fluid(j); });
-  });
-  for_each_fluid([&](std::size_t i) {
-    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * correction_[a][i];
-  });
+      sum[a] = laplacian_sum<D>(
+          i, list_.of(i), displacement, re_laplacian_,
+          [&](std::size_t j) { return rubbing_velocity_[a][j]; }, counts);
+  }
+  for (double& component : sum) component *= factor;
+  return sum;
+}
+
+/// A no-slip wall at rest shows the fluid its mirrored velocity, so that the line of no motion lies
+/// on the wall's surface: v_w = -sum_f v_f w / sum_f w (Adami, Hu & Adams 2012, J. Comput. Phys.
+/// 231, Eqs. 22 and 23, there for SPH).
+template <int D>
+void Solver<D>::extrapolate_to_walls(const Displacement<D>& displacement) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (is_fluid(i)) continue;
+    Vec<D> sum{};
+    double weights = 0.0;
+    for (const std::uint32_t j : list_.of(i)) {
+      if (!is_fluid(j)) continue;
+      const double weight =
+          mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re_laplacian_);
+      weights += weight;
+      for (int a = 0; a < D; ++a) sum[a] += weight * p_.v[a][j];
+    }
+    for (int a = 0; a < D; ++a) rubbing_velocity_[a][i] = weights > 0.0 ? -sum[a] / weights : 0.0;
+  }
 }
 
 /// x += dt velocity for the fluid, held back at walls.
@@ -154,7 +199,9 @@ void Solver<D>::find_neighbours() {
   const auto scope = clock_.measure(Phase::neighbours);
   grid_.build(p_.x, re_laplacian_, 2);
   grid_.reorder(p_);
-  list_.build(grid_, p_.x, re_laplacian_, [&](std::size_t i) { return has_pressure(i); });
+  // Only the viscous term asks who is near a dummy.
+  const bool all = no_slip_ && nu_ > 0.0;
+  list_.build(grid_, p_.x, re_laplacian_, [&](std::size_t i) { return all || has_pressure(i); });
 }
 
 template <int D>

@@ -23,7 +23,7 @@ class Solver {
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
-  /// Eq. (25)
+  /// Eq. (25), and the limit of the explicit viscous term.
   [[nodiscard]] double stable_step() const;
 
   [[nodiscard]] double time() const { return time_; }
@@ -48,6 +48,9 @@ class Solver {
   [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   void measure_speed(StepReport& report);
   void add_viscosity(double dt);
+  [[nodiscard]] Vec<D> viscous_acceleration(std::size_t i,
+                                            const Displacement<D>& displacement) const;
+  void extrapolate_to_walls(const Displacement<D>& displacement);
 
   [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
   [[nodiscard]] bool has_pressure(std::size_t i) const { return p_.type[i] != ParticleType::dummy; }
@@ -65,12 +68,14 @@ class Solver {
   double re_laplacian_;  ///< m
   double n0_;            ///< Eq. (9), at re
   double laplacian_factor_;
+  double viscous_lambda_;  ///< m2; the lattice's, whatever the pressure equation has
   CollisionModel<D> collision_;
   WallCollision<D> walls_;
 
   Particles<D> p_;
-  std::array<Field, D> correction_;  ///< v' of Eq. (11), m/s
-  Field least_;                      ///< Pa, the neighbourhood minimum of Eq. (6)
+  std::array<Field, D> correction_;        ///< v' of Eq. (11), m/s
+  std::array<Field, D> rubbing_velocity_;  ///< m/s, what neighbours show to the viscous term
+  Field least_;                            ///< Pa, the neighbourhood minimum of Eq. (6)
   AlignedVector<std::int32_t>
       unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;

@@ -19,6 +19,12 @@ enum class DiffusionOf {
   dynamic_density  ///< the density less its hydrostatic part (Fourtakas et al. 2019)
 };
 
+/// Model of the laminar viscous term.
+enum class ViscousTerm {
+  laplacian,   ///< Morris, Fox & Zhu (1997)
+  deformation  ///< Monaghan & Gingold (1983): right at a free surface too (Colagrossi et al. 2011)
+};
+
 /// Choices of the SPH method.
 struct Params {
   Kernel kernel = Kernel::quintic_spline;
@@ -29,6 +35,7 @@ struct Params {
   double acoustic_courant =
       0.0;  ///< dt <= this * h / (c0 + v_max); 0: only Eq. (25) limits the step
   NegativePressure negative_pressure = NegativePressure::keep;
+  ViscousTerm viscous_term = ViscousTerm::laplacian;
   double artificial_viscosity = 0.0;  ///< alpha of Monaghan (1992)
   double density_diffusion = 0.0;     ///< delta of Molteni & Colagrossi (2009)
   DiffusionOf diffusion_of = DiffusionOf::density;

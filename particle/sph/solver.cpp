@@ -45,7 +45,7 @@ Solver<D>::Solver(const Case& c)
       spacing_(c.spacing),
       rho0_(c.density),
       nu_(c.kinematic_viscosity),
-      no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip),
+      no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip && nu_ > 0.0),
       h_(params_.h_over_l0 * c.spacing),
       c0_(params_.sound_speed_ratio * reference_speed(c)),
       mass_(c.density * std::pow(c.spacing, D)),
@@ -56,9 +56,12 @@ Solver<D>::Solver(const Case& c)
       grid_(c.search, periodicity_of<D>(c)) {
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
+  const Point still = still_gravity(c);
+  std::copy_n(still.begin(), D, still_gravity_.begin());
   const std::size_t n = p_.size();
   for (int a = 0; a < D; ++a) {
     acceleration_[a].assign(n, 0.0);
+    rubbing_velocity_[a].assign(no_slip_ ? n : 0, 0.0);
     xsph_[a].assign(n, 0.0);
     xsph_old_[a].assign(n, 0.0);
   }
@@ -67,7 +70,7 @@ Solver<D>::Solver(const Case& c)
   p_over_rho2_.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
     p_.density[i] =
-        hydrostatic_density(state_, rho0_, norm<D>(gravity_),
+        hydrostatic_density(state_, rho0_, norm<D>(still_gravity_),
                             initial_depth<D>(c, p_.position(i), support_of(params_.kernel) * h_));
   measure_speed();
   sort_particles(stable_step());
@@ -82,6 +85,9 @@ double Solver<D>::stable_step() const {
   double dt = courant_step(control_, spacing_, v_max_);
   if (params_.acoustic_courant > 0.0)
     dt = std::min(dt, params_.acoustic_courant * h_ / (c0_ + v_max_));
+  // The pairs of the other term are stiffer by (D + 2)/D.
+  const bool laplacian = params_.viscous_term == ViscousTerm::laplacian;
+  dt = std::min(dt, viscous_step(laplacian ? 0.125 : 0.125 * D / (D + 2.0), h_, nu_));
   return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
 }
 
@@ -200,7 +206,7 @@ void Solver<D>::continuity_pass(const K& kernel) {
   const double diffusion = params_.density_diffusion * h_ * c0_;
   // Without gravity the hydrostatic part is zero: the same sum for both choices.
   Vec<D> still_gravity{};
-  if (params_.diffusion_of == DiffusionOf::dynamic_density) still_gravity = gravity_;
+  if (params_.diffusion_of == DiffusionOf::dynamic_density) still_gravity = still_gravity_;
 
   const auto body = [&](std::size_t i, const Tile<fields>& tile) {
     const bool fluid = is_fluid(i);
@@ -329,7 +335,7 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
       for (int a = 0; a < D; ++a) {
         const Simd dx = load(tile.field[a] + j) - xi[a];
         r2 += dx * dx;
-        head -= Simd(gravity_[a]) * dx;
+        head -= Simd(still_gravity_[a]) * dx;
       }
       Simd weight = kernel.value(Simd(stdx::sqrt(r2)));
       stdx::where(load(tile.field[D + 2] + j) == 0.0, weight) = 0.0;
@@ -344,9 +350,46 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
       grid_, wall_tiles_, source, [&](std::size_t cell) { return near_fluid(cell); }, body);
 }
 
+/// What a no-slip wall at rest shows the viscous term, so that the line of no motion lies on its
+/// surface: v_w = -sum_f v_f W_wf / sum_f W_wf (Adami, Hu & Adams 2012, Eqs. 22 and 23).
+template <int D>
+template <class K>
+void Solver<D>::extrapolate_velocity(const K& kernel) {
+  constexpr int fields = 2 * D + 1;
+  std::array<const double*, fields> source;
+  for (int a = 0; a < D; ++a) {
+    source[a] = p_.x[a].data();
+    source[D + a] = p_.v[a].data();
+    std::copy(p_.v[a].begin(), p_.v[a].end(), rubbing_velocity_[a].begin());
+  }
+  source[2 * D] = fluid_volume_.data();
+  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
+    if (is_fluid(i)) return;
+    std::array<Simd, D> sum{};
+    Simd weights = 0.0;
+    for (std::size_t j = 0; j < tile.count; j += simd_width) {
+      Simd r2 = tiny;
+      for (int a = 0; a < D; ++a) {
+        const Simd dx = load(tile.field[a] + j) - Simd(p_.x[a][i]);
+        r2 += dx * dx;
+      }
+      Simd weight = kernel.value(Simd(stdx::sqrt(r2)));
+      stdx::where(load(tile.field[2 * D] + j) == 0.0, weight) = 0.0;
+      weights += weight;
+      for (int a = 0; a < D; ++a) sum[a] += weight * load(tile.field[D + a] + j);
+    }
+    const double total = stdx::reduce(weights);
+    for (int a = 0; a < D; ++a)
+      rubbing_velocity_[a][i] = total > 0.0 ? -stdx::reduce(sum[a]) / total : 0.0;
+  };
+  pair_loop<D, fields>(
+      grid_, rubbing_tiles_, source, [&](std::size_t cell) { return near_fluid(cell); }, body);
+}
+
 template <int D>
 void Solver<D>::apply_momentum() {
   const auto scope = clock_.measure(Phase::forces);
+  if (no_slip_) std::visit([&](const auto& kernel) { extrapolate_velocity(kernel); }, kernel_);
   const bool viscous = params_.artificial_viscosity > 0.0 || nu_ > 0.0;
   std::visit(
       [&](const auto& kernel) {
@@ -370,12 +413,14 @@ void Solver<D>::momentum_pass(const K& kernel) {
   for (int a = 0; a < D; ++a) source[a] = p_.x[a].data();
   source[D] = p_over_rho2_.data();
   if constexpr (Viscous) {
-    for (int a = 0; a < D; ++a) source[D + 1 + a] = p_.v[a].data();
+    const auto& velocity = no_slip_ ? rubbing_velocity_ : p_.v;
+    for (int a = 0; a < D; ++a) source[D + 1 + a] = velocity[a].data();
     source[2 * D + 1] = p_.density.data();
     source[2 * D + 2] = fluid_volume_.data();
   }
   const double alpha_c0_h = params_.artificial_viscosity * c0_ * h_;
   const double h2 = h_ * h_;
+  const bool deformation = params_.viscous_term == ViscousTerm::deformation;
 
   const auto body = [&](std::size_t i, const Tile<fields>& tile) {
     if (!is_fluid(i)) return;
@@ -413,10 +458,17 @@ void Solver<D>::momentum_pass(const K& kernel) {
         Simd artificial = artificial_viscosity(approach, r2, mean, alpha_c0_h, h2) * slope;
         stdx::where(volume == 0.0, artificial) = 0.0;
         factor += artificial;
-        Simd rubbing_volume = volume;
-        if (no_slip_) rubbing_volume = Simd(mass_) / stdx::max(rho_j, Simd(1e-3));
-        const Simd rub = laminar_viscosity(r2, slope, rubbing_volume, nu_, h2);
-        for (int a = 0; a < D; ++a) friction[a] += rub * dv[a];
+        if (nu_ > 0.0) {
+          Simd rubbing_volume = volume;
+          if (no_slip_) rubbing_volume = Simd(mass_) / stdx::max(rho_j, Simd(1e-3));
+          if (deformation) {
+            const Simd rub = deformation_viscosity<D>(approach, r2, slope, rubbing_volume, nu_);
+            for (int a = 0; a < D; ++a) friction[a] += rub * dx[a];
+          } else {
+            const Simd rub = laminar_viscosity(r2, slope, rubbing_volume, nu_, h2);
+            for (int a = 0; a < D; ++a) friction[a] += rub * dv[a];
+          }
+        }
       }
       for (int a = 0; a < D; ++a) force[a] += factor * dx[a];
     }

@@ -33,7 +33,8 @@ class Solver {
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
-  /// Eq. (25), and dt <= acoustic_courant h / (c0 + v_max) where that limit is on.
+  /// Eq. (25), dt <= acoustic_courant h / (c0 + v_max) where that limit is on, and the limit of
+  /// viscosity, dt <= 0.125 h^2 / nu (Morris, Fox & Zhu 1997).
   [[nodiscard]] double stable_step() const;
 
   [[nodiscard]] double time() const { return time_; }
@@ -56,6 +57,8 @@ class Solver {
   void apply_equation_of_state(StepReport& report);
   template <class K>
   void extrapolate_to_walls(const K& kernel);
+  template <class K>
+  void extrapolate_velocity(const K& kernel);
   void apply_momentum();
   template <class K, bool Viscous>
   void momentum_pass(const K& kernel);
@@ -70,8 +73,9 @@ class Solver {
   double spacing_;
   double rho0_;
   double nu_;
-  bool no_slip_;
+  bool no_slip_;  ///< walls that rub: only with viscosity
   Vec<D> gravity_{};
+  Vec<D> still_gravity_{};  ///< what a hydrostatic pressure balances
   double h_;
   double c0_;
   double mass_;
@@ -81,8 +85,9 @@ class Solver {
 
   Particles<D> p_;
   std::array<Field, D> acceleration_;
-  std::array<Field, D> xsph_;      ///< velocity correction of Eq. (24)
-  std::array<Field, D> xsph_old_;  ///< the one before, which the half drift used
+  std::array<Field, D> rubbing_velocity_;  ///< m/s, of walls as the viscous term sees them
+  std::array<Field, D> xsph_;              ///< velocity correction of Eq. (24)
+  std::array<Field, D> xsph_old_;          ///< the one before, which the half drift used
   Field density_rate_;
   Field fluid_volume_;  ///< m/rho of fluid particles, 0 for walls
   Field p_over_rho2_;
@@ -94,6 +99,7 @@ class Solver {
   std::vector<TileBuffer<D, D + 1>> momentum_tiles_;
   std::vector<TileBuffer<D, 2 * D + 3>> viscous_tiles_;
   std::vector<TileBuffer<D, D + 3>> wall_tiles_;
+  std::vector<TileBuffer<D, 2 * D + 1>> rubbing_tiles_;
 
   double time_ = 0.0;
   long steps_ = 0;

@@ -209,6 +209,16 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"open_and_periodic", "tank.periodic=[\"y\"]", "small.toml:10: tank.open: found \"y+\""},
         Bad{"short_period", "tank.periodic=[\"x\"] sph.h_over_l0=2.1",
             "--set tank.periodic=[\"x\"]: found a period of 0.12 m in x"},
+        Bad{"wave_on_a_ball",
+            "block.0.shape=ball block.0.upper=[0.04,0.04] "
+            "block.0.wave_amplitude=0.001",
+            "--set block.0.wave_amplitude=0.001: found 0.001 m on a ball"},
+        Bad{"wave_without_gravity",
+            "fluid.gravity=[0,0] fluid.reference_speed=1 "
+            "block.0.wave_amplitude=0.001",
+            "--set block.0.wave_amplitude=0.001: found 0.001 m without gravity"},
+        Bad{"no_speed", "fluid.gravity=[0,0]",
+            "small.toml:3: fluid.reference_speed: found a case without a speed"},
         Bad{"wall", "tank.wall=sticky", "--set tank.wall=sticky: found \"sticky\""},
         Bad{"probe_outside", "probe.0.position=[0.5,0]",
             "--set probe.0.position=[0.5,0]: found x = 0.5"},

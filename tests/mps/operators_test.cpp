@@ -111,6 +111,47 @@ TEST(Laplacian, ExactOnLinearAndQuadraticFields3D) {
   expect_exact_laplacian<3>();
 }
 
+/// (D + 2) sum (v_ij . e) e w times the Laplacian's factor at the middle of a wide lattice.
+template <int D, class V>
+Vec<D> deformation(V&& velocity) {
+  const double re = D == 2 ? 8.1 : 5.1;
+  const Lattice<D> lattice(D == 2 ? 9 : 6, re * l0);
+  const Displacement<D> displacement(lattice.x, {});
+  std::array<Field, D> v;
+  for (std::size_t i = 0; i < lattice.x[0].size(); ++i) {
+    Vec<D> x;
+    for (int a = 0; a < D; ++a) x[a] = lattice.x[a][i];
+    const Vec<D> value = velocity(x);
+    for (int a = 0; a < D; ++a) v[a].push_back(value[a]);
+  }
+  Vec<D> sum = deformation_sum<D>(lattice.middle, lattice.list.of(lattice.middle), displacement,
+                                  re * l0, v, everyone);
+  const double factor = laplacian_factor<D>(reference_number_density<D>(re),
+                                            laplacian_lambda<D>(Lambda::lattice, re, l0));
+  for (double& component : sum) component *= factor;
+  return sum;
+}
+
+// lap v + 2 grad div v. The lattice is not isotropic, and the less so the wider the radius.
+template <int D>
+void expect_deformation() {
+  const Vec<D> shear = deformation<D>([](const Vec<D>& x) { return Vec<D>{x[1] * x[1]}; });
+  EXPECT_NEAR(shear[0], 2.0, 0.03 * 2.0);
+  EXPECT_NEAR(shear[1], 0.0, 1e-9);
+  const Vec<D> squeeze = deformation<D>([](const Vec<D>& x) { return Vec<D>{x[0] * x[0]}; });
+  EXPECT_NEAR(squeeze[0], 6.0, 0.03 * 6.0);
+  const Vec<D> turn = deformation<D>([](const Vec<D>& x) { return Vec<D>{-x[1], x[0]}; });
+  EXPECT_NEAR(turn[0], 0.0, 1e-9);
+  EXPECT_NEAR(turn[1], 0.0, 1e-9);
+}
+
+TEST(DeformationSum, OfShearSqueezeAndRotation2D) {
+  expect_deformation<2>();
+}
+TEST(DeformationSum, OfShearSqueezeAndRotation3D) {
+  expect_deformation<3>();
+}
+
 template <int D>
 void expect_exact_gradient() {
   const double re = 2.1;

@@ -126,6 +126,39 @@ TEST(LaminarViscosity, LaplacianOfAParabolicProfile) {
   EXPECT_NEAR(acceleration, 2.0 * nu, 0.02 * 2.0 * nu);
 }
 
+/// The term's sum at the middle of a wide lattice, h = 4 l0, on which it is nearly isotropic.
+template <class V>
+std::array<double, 2> deformation(double nu, V&& velocity) {
+  const double wide = 4.0 * l0;
+  const QuinticSpline<2> kernel(wide);
+  std::array<double, 2> sum{};
+  for (int k = -12; k <= 12; ++k)
+    for (int m = -12; m <= 12; ++m) {
+      if (k == 0 && m == 0) continue;
+      const std::array<double, 2> dx{k * l0, m * l0};
+      const double r = std::hypot(dx[0], dx[1]);
+      const std::array<double, 2> dv = velocity(dx[0], dx[1]);
+      const double factor = deformation_viscosity<2>(dv[0] * dx[0] + dv[1] * dx[1], r * r,
+                                                     kernel.derivative(r) / r, mass / rho, nu);
+      for (std::size_t a = 0; a < 2; ++a) sum[a] += factor * dx[a];
+    }
+  return sum;
+}
+
+// nu (lap v + 2 grad div v).
+TEST(DeformationViscosity, OfShearSqueezeAndRotation) {
+  using V = std::array<double, 2>;
+  const double nu = 1e-2;
+  const V shear = deformation(nu, [](double, double y) { return V{y * y, 0.0}; });
+  EXPECT_NEAR(shear[0], 2.0 * nu, 0.02 * 2.0 * nu);
+  EXPECT_NEAR(shear[1], 0.0, 1e-12);
+  const V squeeze = deformation(nu, [](double x, double) { return V{x * x, 0.0}; });
+  EXPECT_NEAR(squeeze[0], 6.0 * nu, 0.02 * 6.0 * nu);
+  const V turn = deformation(nu, [](double x, double y) { return V{-y, x}; });
+  EXPECT_NEAR(turn[0], 0.0, 1e-12);
+  EXPECT_NEAR(turn[1], 0.0, 1e-12);
+}
+
 TEST(Xsph, WeightsSumToOneOverTheLattice) {
   const QuinticSpline<2> kernel(h);
   double sum = xsph_weight(mass / rho, kernel.value(0.0));
