@@ -3,9 +3,11 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "particle/io/case_file.hpp"
 #include "particle/io/interrupt.hpp"
+#include "particle/io/method_sheet.hpp"
 #include "particle/io/run_folder.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
@@ -54,6 +56,7 @@ class Run {
     const InterruptGuard guard;
     try {
       Solver solver(case_);
+      write_file(folder_ / "method.json", method_sheet<D>(solver, case_.spacing).dump() + "\n");
       const double setup = seconds_since(start_);
       const RunEnd end = compute<Solver, D>(solver, guard);
       finish(end, solver.clock(), setup);

@@ -16,7 +16,8 @@ bool is_run(const fs::path& manifest) {
 }
 
 void remove_run(const fs::path& folder) {
-  for (const char* name : {"particles.pvd", "steps.csv", "case.toml"}) fs::remove(folder / name);
+  for (const char* name : {"particles.pvd", "steps.csv", "case.toml", "method.json"})
+    fs::remove(folder / name);
   if (!fs::is_directory(folder / "frames")) return;
   for (const auto& entry : fs::directory_iterator(folder / "frames")) {
     const std::string name = entry.path().filename().string();

@@ -23,29 +23,43 @@ class Solver {
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
-  /// Eq. (25), and the limit of the explicit viscous term.
+  /// Time step, Eq. (25).
+  /// Not above the limit of the explicit viscous term.
   [[nodiscard]] double stable_step() const;
 
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const Particles<D>& particles() const { return p_; }
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] double reference_density() const { return n0_; }
+  /// Radii of the interaction: of gradient and number density, and of the Laplacian, m.
+  [[nodiscard]] double radius() const { return re_; }
+  [[nodiscard]] double laplacian_radius() const { return re_laplacian_; }
   /// The pressure equation of the last step.
   [[nodiscard]] const PoissonSystem& system() { return assembly_.system(); }
 
  private:
+  // The first line of the comment on a function that step() calls is its box in the flowchart.
+  /// Temporal velocities by gravity.
   void apply_body_forces(double dt);
+  /// Temporal positions, held back at walls.
   void move(double dt, const std::array<Field, D>& velocity, StepReport& report);
+  /// Neighbours of each particle.
   void find_neighbours();
+  /// Collisions between particles.
   void collide(double dt, StepReport& report);
+  /// Particle number density, Eq. (4).
   void compute_number_density();
+  /// Free surface, where p = 0, Eq. (14).
   void find_free_surface();
+  /// Pressure Poisson equation, Eqs. (7), (12).
   void solve_pressure(double dt, StepReport& report);
   [[nodiscard]] bool is_on_surface(std::size_t i, const Displacement<D>& displacement) const;
   [[nodiscard]] double source(std::size_t i, double dt, const Displacement<D>& displacement) const;
+  /// New velocities and positions, Eqs. (11), (13).
   void correct(double dt, StepReport& report);
   void find_minima(const Displacement<D>& displacement);
   [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
+  /// Fastest particle.
   void measure_speed(StepReport& report);
   void add_viscosity(double dt);
   [[nodiscard]] Vec<D> viscous_acceleration(std::size_t i,

@@ -33,7 +33,8 @@ class Solver {
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
-  /// Eq. (25), dt <= acoustic_courant h / (c0 + v_max) where that limit is on, and the limit of
+  /// Time step, Eq. (25).
+  /// Also dt <= acoustic_courant h / (c0 + v_max) where that limit is on, and the limit of
   /// viscosity, dt <= 0.125 h^2 / nu (Morris, Fox & Zhu 1997).
   [[nodiscard]] double stable_step() const;
 
@@ -42,26 +43,37 @@ class Solver {
   [[nodiscard]] Clock& clock() { return clock_; }
   [[nodiscard]] double sound_speed() const { return c0_; }
   [[nodiscard]] double particle_mass() const { return mass_; }
+  using Kernel = std::variant<QuinticSpline<D>, WendlandC2<D>>;
+  [[nodiscard]] const Kernel& kernel() const { return kernel_; }
+  /// h, m
+  [[nodiscard]] double smoothing_length() const { return h_; }
 
  private:
-  using Kernel = std::variant<QuinticSpline<D>, WendlandC2<D>>;
-
+  // The first line of the comment on a function that step() calls is its box in the flowchart.
+  /// Particles sorted into cells of neighbours.
   void sort_particles(double dt);
+  /// Velocities by half a step.
   void kick(double dt);
+  /// Positions by half a step.
   void half_drift(double dt);
+  /// Density by continuity, Eq. (20).
   void apply_continuity(double dt);
   template <class K, bool Diffusion>
   void continuity_pass(const K& kernel);
   void update_fluid_volume();
+  /// Positions with XSPH, held back at walls, Eq. (24).
   void drift(double dt, StepReport& report);
+  /// Pressure by the equation of state, Eq. (21).
   void apply_equation_of_state(StepReport& report);
   template <class K>
   void extrapolate_to_walls(const K& kernel);
   template <class K>
   void extrapolate_velocity(const K& kernel);
+  /// Accelerations by pressure and gravity, Eqs. (22), (23).
   void apply_momentum();
   template <class K, bool Viscous>
   void momentum_pass(const K& kernel);
+  /// Fastest particle.
   void measure_speed();
   [[nodiscard]] bool near_fluid(std::size_t cell) const;
   [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }

@@ -88,6 +88,10 @@ TEST_F(Program, WritesARunFolder) {
     EXPECT_EQ(j["finished"], true);
     EXPECT_EQ(j["threads"], 1);
     EXPECT_EQ(j["fluid_particles"], 32);
+    const auto sheet =
+        nlohmann::json::parse(test::read_text(folder_.path() / method / "method.json"));
+    EXPECT_EQ(sheet["method"], method);
+    EXPECT_EQ(sheet["spacing_m"], 0.01);
     EXPECT_GT(j["wall_particles"], 0);
     EXPECT_NEAR(j["simulated_s"], 0.02, 1e-12);
     EXPECT_EQ(j["frames"], 5);
