@@ -72,7 +72,9 @@ void add_figures_command(CLI::App& app) {
 void add_figure_command(CLI::App& app) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("figure", "Draws one figure of a study as SVG and PDF");
-  command->add_option("NUMBER", arguments->figure, "as in the paper (8), or a name (fig8_shifted)")
+  command
+      ->add_option("NUMBER", arguments->figure,
+                   "as in the paper (8), or a name: " + known_figures())
       ->required();
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {

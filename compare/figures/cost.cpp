@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "compare/figures/figures.hpp"
+#include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/report/scaling.hpp"
 
@@ -62,11 +62,8 @@ Figure cost_figure(const StudyResult& study) {
   figure.height_mm = 95.0;
   Table table = cost_table(curves);
   if (table.rows.empty()) {
-    figure.caption = "This study has no timed runs; the full study has.";
-    figure.script =
-        "unset border\nunset tics\nset label 1 \"no timed runs\" at graph 0.5,0.5 center\n"
-        "set xrange [0:1]\nset yrange [0:1]\nplot 1/0 notitle\n";
-    return figure;
+    return empty_figure(figure.name, figure.title,
+                        "This study has no timed runs; the full study has.");
   }
   figure.tables.push_back(std::move(table));
   figure.caption =

@@ -8,24 +8,35 @@
 namespace surge::compare {
 
 std::span<const FigureDefinition> all_figures() {
-  static const std::array<FigureDefinition, 5> figures{
-      {{"fig6", geometry_figure},
-       {"fig7", snapshot_figure},
-       {"fig8", leading_edge_figure},
-       {"fig8_shifted", shifted_leading_edge_figure},
-       {"fig9", cost_figure}}};
+  static const std::array<FigureDefinition, 11> figures{
+      {{"fig1", "weight", weight_figure},
+       {"fig2", "interaction", interaction_figure},
+       {"fig3", "mps_algorithm", mps_algorithm_figure},
+       {"fig4", "kernel", kernel_figure},
+       {"fig5", "sph_algorithm", sph_algorithm_figure},
+       {"fig6", "geometry", geometry_figure},
+       {"fig7", "snapshots", snapshot_figure},
+       {"patterns", "overlap", pattern_figure},
+       {"fig8", "leading_edge", leading_edge_figure},
+       {"fig8_shifted", "leading_edge_shifted", shifted_leading_edge_figure},
+       {"fig9", "cost", cost_figure}}};
   return figures;
+}
+
+std::string known_figures() {
+  std::string known;
+  for (const auto& figure : all_figures())
+    known += (known.empty() ? "" : ", ") + figure.name + " (" + figure.word + ")";
+  return known;
 }
 
 const FigureDefinition& find_figure(const std::string& name) {
   const auto figures = all_figures();
   const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
-    return figure.name == name || figure.name == "fig" + name;
+    return figure.name == name || figure.word == name || figure.name == "fig" + name;
   });
   if (found != figures.end()) return *found;
-  std::string known;
-  for (const auto& figure : figures) known += (known.empty() ? "" : ", ") + figure.name;
-  throw Error("figure: found \"" + name + "\", expected one of " + known);
+  throw Error("figure: found \"" + name + "\", expected one of " + known_figures());
 }
 
 std::optional<DimensionlessTime> window_end(const StudyResult& study) {

@@ -10,10 +10,21 @@
 
 namespace surge::compare {
 
+/// Fig. 1: the weight function of MPS, sampled by the program that ran with it.
+[[nodiscard]] Figure weight_figure(const StudyResult& study);
+/// Fig. 2: a particle of a real frame and its neighbours.
+[[nodiscard]] Figure interaction_figure(const StudyResult& study);
+/// Figs. 3 and 5: what a step of the solvers calls.
+[[nodiscard]] Figure mps_algorithm_figure(const StudyResult& study);
+[[nodiscard]] Figure sph_algorithm_figure(const StudyResult& study);
+/// Fig. 4: the kernel of SPH and its derivative, sampled like Fig. 1.
+[[nodiscard]] Figure kernel_figure(const StudyResult& study);
 /// Fig. 6: the geometry with its dimensions, from what the reference run says it computed.
 [[nodiscard]] Figure geometry_figure(const StudyResult& study);
 /// Fig. 7: the runs side by side at the study's snapshot times.
 [[nodiscard]] Figure snapshot_figure(const StudyResult& study);
+/// Overlap with the reference and detached water over time, with the effect of the linking length.
+[[nodiscard]] Figure pattern_figure(const StudyResult& study);
 /// Fig. 8: Z/L over T, published series as measured, and the difference to the reference.
 [[nodiscard]] Figure leading_edge_figure(const StudyResult& study);
 /// Fig. 8 with each published series moved in time to where it fits the reference best.
@@ -22,17 +33,21 @@ namespace surge::compare {
 /// Fig. 9: solving time over the number of fluid particles, from the study's timed runs.
 [[nodiscard]] Figure cost_figure(const StudyResult& study);
 
-/// One entry of the catalogue; number as in the paper, and a name for `surge-compare figure NAME`.
+/// One entry of the catalogue.
 struct FigureDefinition {
-  std::string name;
+  std::string name;  ///< "fig8"; its files', and `surge-compare figure 8` finds it
+  std::string word;  ///< another name, for those who do not know the paper's numbers
   Figure (*make)(const StudyResult&);
 };
 
 /// All figures in the order of the paper.
 [[nodiscard]] std::span<const FigureDefinition> all_figures();
 
-/// The definitions that a user means by "8", "fig8" or "fig8_shifted". Throws Error where there
-/// is no such figure, with the ones that there are.
+/// "fig1 (weight), fig2 (interaction), ...": what find_figure() understands.
+[[nodiscard]] std::string known_figures();
+
+/// The definition that a user means by "8", "fig8" or "leading_edge". Throws Error where there is
+/// no such figure, with the ones that there are.
 [[nodiscard]] const FigureDefinition& find_figure(const std::string& name);
 
 /// The window's end for the figures: T at which the reference is within the wall rule's distance

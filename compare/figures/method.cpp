@@ -1,0 +1,28 @@
+#include "compare/figures/method.hpp"
+
+namespace surge::compare {
+
+std::optional<SheetRun> sheet_run(const StudyResult& study, const std::string& method) {
+  std::optional<SheetRun> found;
+  for (const RunResult* run : study.measured()) {
+    const Run& r = run->measured->run;
+    if (r.method != method || (found && r.preset != "paper")) continue;
+    if (auto sheet = read_method_sheet(r)) found = SheetRun{run, std::move(*sheet)};
+    if (found && r.preset == "paper") break;
+  }
+  return found;
+}
+
+Figure empty_figure(const std::string& name, const std::string& title, const std::string& why) {
+  Figure figure;
+  figure.name = name;
+  figure.title = title;
+  figure.caption = why;
+  figure.height_mm = 20.0;
+  figure.script = "unset border\nunset tics\nset label 1 " + plot_label(why) +
+                  " at graph 0.5,0.5 center font \",6\"\nset xrange [0:1]\nset yrange [0:1]\n"
+                  "plot 1/0 notitle\n";
+  return figure;
+}
+
+}  // namespace surge::compare
