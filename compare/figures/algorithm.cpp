@@ -97,7 +97,7 @@ Figure flowchart(const StudyResult& study, const std::string& method, const std:
                    "names its equations in the paper.";
   Table table{name, {"order", "function", "does", "equations"}, {}};
   Flowchart chart;
-  chart.box("Particles at rest, tank, first neighbours", sheet.start, "", true);
+  chart.box("Particles, walls, first neighbours", sheet.start, "", true);
   const double entry = chart.y() + 0.5 * gap;
   chart.down();
   chart.question("t < end?", sheet.until, "end");

@@ -80,12 +80,10 @@ std::string panel(const StudyResult& study, int column, int least, int most, boo
   return plots + "\n";
 }
 
-/// Upper end of the detached water's axis, %: half as much again as the lines need. The bands may
-/// go far beyond, where a strict rule cuts the main body in two.
-double top_of(const Table& table) {
-  double most = 0.01;
-  for (const auto& row : table.rows) most = std::max(most, std::get<double>(row[4]));
-  return std::ceil(150.0 * most);
+/// Largest value of a column, at least `least`.
+double largest(const Table& table, std::size_t column, double least) {
+  for (const auto& row : table.rows) least = std::max(least, std::get<double>(row[column]));
+  return least;
 }
 
 }  // namespace
@@ -107,7 +105,9 @@ Figure pattern_figure(const StudyResult& study) {
   const auto hit = study.impact_time();
   const Scales scales = study.reference_run().run.physics.scales();
   const double impact = hit ? scales.dimensionless(*hit).value() : 0.0;
+  const Table& rows = figure.tables.front();
   std::ostringstream script;
+  // The bands may go far beyond what the lines need, where a strict rule cuts the main body in two.
   script << "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.985\n";
   if (hit) {
     script << "set arrow 1 from first " << plot_number(impact) << ",graph 0 to first "
@@ -126,10 +126,11 @@ Figure pattern_figure(const StudyResult& study) {
       << panel(study, 4, 0, 0, false, true, 1.0);
   place(0.675, 0.41, false);
   script << "set ylabel \"detached water, %\"\nset yrange [0:"
-         << plot_number(top_of(figure.tables.front())) << "]\nunset key\n"
+         << plot_number(std::ceil(150.0 * largest(rows, 4, 0.01))) << "]\nunset key\n"
          << panel(study, 5, 6, 7, true, false, 100.0);
   place(0.37, 0.105, true);
-  script << "set ylabel \"pieces\"\nset yrange [0:*]\n"
+  script << "set ylabel \"pieces\"\nset yrange [0:" << plot_number(1.05 * largest(rows, 9, 1.0))
+         << "]\n"
          << panel(study, 8, 9, 10, true, false, 1.0) << "unset multiplot\n";
   figure.script = script.str();
   return figure;

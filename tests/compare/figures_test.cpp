@@ -1,12 +1,16 @@
 #include "compare/figures/figures.hpp"
 
+#include "compare/figures/method.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
+#include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "compare/figures/water.hpp"
 #include "synthetic_study.hpp"
@@ -133,6 +137,7 @@ TEST(Figures, AllAreDrawnWithTheirLabelsAndData) {
     expect_drawn(files.out(), figure.name);
     for (const auto& table : figure.tables)
       EXPECT_FALSE(table.rows.empty() && table.name != "fig7_surface");
+    EXPECT_FALSE(figure.tables.empty() && figure.name != "fig9") << figure.name;
   }
   const std::string fig8 = read_text(files.out() / "fig8.svg");
   EXPECT_THAT(fig8, HasSubstr("MPS paper, l0 = 5 mm"));
@@ -191,11 +196,125 @@ TEST(Figures, MissingAndEndedRunsKeepTheirPanels) {
   EXPECT_THAT(leading_edge_figure(files.collected()).script, HasSubstr("(ends at 0.1 s)"));
 }
 
+double cell(const Table& table, std::size_t row, const std::string& column) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+  if (found == table.columns.end()) {
+    ADD_FAILURE() << table.name << ": no column " << column;
+    return 0.0;
+  }
+  return std::get<double>(
+      table.rows.at(row).at(static_cast<std::size_t>(found - table.columns.begin())));
+}
+
+TEST(Figures, WeightAndKernelAreWhatTheRunsSay) {
+  const SyntheticStudy files;
+  const StudyResult study = files.collected();
+  const Figure weight = weight_figure(study);
+  const Table& w = weight.tables.at(0);
+  ASSERT_EQ(w.rows.size(), 44U);
+  for (std::size_t k = 0; k < 22; ++k) {
+    const double r = cell(w, k, "r_over_l0");
+    EXPECT_NEAR(cell(w, k, "w"), std::max(2.1 / r - 1.0, 0.0), 1e-12);
+    EXPECT_NEAR(cell(w, k, "r_m"), 0.005 * r, 1e-15);
+  }
+  EXPECT_THAT(weight.script, HasSubstr("2.1 {/:Italic l}_0"));
+  const Figure kernel = kernel_figure(study);
+  const Table& table = kernel.tables.at(0);
+  ASSERT_EQ(table.rows.size(), 22U);
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    EXPECT_NEAR(cell(table, k, "W_times_h2"), 3.0 - cell(table, k, "r_over_h"), 1e-12);
+    EXPECT_NEAR(cell(table, k, "dW_dr_times_h3"), -1.0, 1e-12);
+    EXPECT_NEAR(cell(table, k, "W_per_m2") * 36e-6, cell(table, k, "W_times_h2"), 1e-12);
+  }
+}
+
+TEST(Figures, InteractionDomainCountsTheNeighboursOfARealFrame) {
+  const SyntheticStudy files;
+  const auto found = find_interaction(files.collected());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->run->study.name, "mps-a");
+  EXPECT_NEAR(found->time.value(), 0.15, 1e-12);  // the study's second snapshot
+  ASSERT_EQ(found->radii_over_l0.size(), 2U);
+  EXPECT_NEAR(found->radii_over_l0[0], 3.9, 1e-12);
+  // Points of a square lattice other than the origin with x^2 + y^2 < 3.9^2 and < 2.1^2.
+  EXPECT_EQ(found->neighbours, (std::vector<std::size_t>{44, 12}));
+  const Figure figure = interaction_figure(files.collected());
+  EXPECT_THAT(figure.caption, HasSubstr("2.1 l0 (12 neighbours) and 3.9 l0 (44 neighbours)"));
+  std::array<std::size_t, 3> rings{};
+  for (const auto& row : figure.tables.at(0).rows) {
+    const auto ring = static_cast<std::size_t>(std::get<double>(row[3]));
+    if (ring < rings.size()) ++rings[ring];
+  }
+  EXPECT_EQ(rings, (std::array<std::size_t, 3>{1, 12, 32}));
+}
+
+TEST(Figures, FlowchartsHaveABoxForEveryStage) {
+  const SyntheticStudy files;
+  const StudyResult study = files.collected();
+  const Figure figure = mps_algorithm_figure(study);
+  EXPECT_EQ(draw(figure, files.out()), "");
+  const std::string svg = read_text(files.out() / "fig3.svg");
+  for (const char* text : {"push()", "Pushes &lt;it>", "Eq. (99)", "pull()", "t &lt; end?",
+                           "RunLoop::run", "Solver(case)"})
+    EXPECT_THAT(svg, HasSubstr(text));
+  EXPECT_LT(svg.find("push()"), svg.find("pull()"));
+  EXPECT_THAT(sph_algorithm_figure(study).script, HasSubstr("kick()"));
+}
+
+TEST(Figures, RunsThatDoNotSayWhatTheyComputedWithLeaveTheFigureEmpty) {
+  const SyntheticStudy files;
+  std::filesystem::remove(files.runs() / "mps-a/method.json");
+  std::filesystem::remove(files.runs() / "sph-a/method.json");
+  const StudyResult study = files.collected();
+  for (const char* name : {"1", "2", "3", "4", "5"}) {
+    const Figure figure = find_figure(name).make(study);
+    EXPECT_THAT(figure.caption, HasSubstr("has a method.json"));
+    EXPECT_EQ(draw(figure, files.out()), "");
+  }
+}
+
+TEST(Figures, ADamagedSheetIsAnErrorThatNamesTheFile) {
+  const SyntheticStudy files;
+  const auto file = files.runs() / "mps-a/method.json";
+  const std::string good = read_text(file);
+  nlohmann::json sheet = nlohmann::json::parse(good);
+  sheet["functions"][0]["value"].erase(0);
+  for (const std::string& text : {std::string("{"), std::string("{}"), sheet.dump()}) {
+    testing::write_text(file, text);
+    EXPECT_THAT(error_of([&] { static_cast<void>(weight_figure(files.collected())); }),
+                HasSubstr("mps-a/method.json: "));
+  }
+  testing::write_text(file, good);
+  EXPECT_FALSE(weight_figure(files.collected()).tables.empty());
+}
+
+TEST(Figures, PatternsGiveTheEffectOfTheLinkingLength) {
+  const SyntheticStudy files;
+  const Figure figure = pattern_figure(files.collected());
+  const Table& table = figure.tables.at(0);
+  ASSERT_GT(table.rows.size(), 60U);
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    EXPECT_LE(cell(table, k, "detached_part_least"), cell(table, k, "detached_part"));
+    EXPECT_LE(cell(table, k, "detached_part"), cell(table, k, "detached_part_most"));
+    EXPECT_LE(cell(table, k, "pieces_least"), cell(table, k, "pieces_most"));
+  }
+  EXPECT_THAT(figure.script, HasSubstr("set arrow 1"));  // the impact
+}
+
 TEST(Figures, AreFoundByNumberAndName) {
   EXPECT_EQ(find_figure("8").name, "fig8");
   EXPECT_EQ(find_figure("fig8_shifted").name, "fig8_shifted");
+  EXPECT_EQ(find_figure("leading_edge").name, "fig8");
+  for (int number = 1; number <= 9; ++number)
+    EXPECT_EQ(find_figure(std::to_string(number)).name, "fig" + std::to_string(number));
+  std::set<std::string> names;
+  for (const auto& figure : all_figures()) {
+    EXPECT_TRUE(names.insert(figure.name).second);
+    EXPECT_TRUE(names.insert(figure.word).second);
+    EXPECT_EQ(find_figure(figure.word).name, figure.name);
+  }
   EXPECT_THAT(error_of([] { static_cast<void>(find_figure("88")); }),
-              HasSubstr("found \"88\", expected one of fig6"));
+              HasSubstr("found \"88\", expected one of fig1 (weight), fig2"));
 }
 
 }  // namespace

@@ -36,6 +36,41 @@ class SyntheticStudy {
         folder_ / ("runs/" + name), times,
         [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); },
         manifest);
+    if (method != "vof") write_sheet(name, method);
+  }
+
+  /// What a run computed with, as surge-particle writes it; radii of 2.1 and 3.9 spacings, h = 6
+  /// mm.
+  void write_sheet(const std::string& name, const std::string& method) const {
+    const double l0 = 0.005, h = 0.006;
+    const auto sampled = [](const char* what, const char* unit, double support, auto f) {
+      nlohmann::json out{{"name", what}, {"unit", unit}, {"support_m", support}};
+      for (int k = 1; k <= 22; ++k) {
+        out["r_m"].push_back(support * k / 20.0);
+        out["value"].push_back(f(support * k / 20.0));
+      }
+      return out;
+    };
+    nlohmann::json sheet{{"method", method},
+                         {"dimension", 2},
+                         {"spacing_m", l0},
+                         {"loop", {{"start", "Solver(case)"}, {"until", "RunLoop::run"}}}};
+    sheet["loop"]["step"] = "Solver::step";
+    if (method == "mps") {
+      sheet["functions"] = {
+          sampled("w", "1", 2.1 * l0, [&](double r) { return std::max(2.1 * l0 / r - 1.0, 0.0); }),
+          sampled("w_laplacian", "1", 3.9 * l0,
+                  [&](double r) { return std::max(3.9 * l0 / r - 1.0, 0.0); })};
+      sheet["stages"] = {{{"function", "push"}, {"does", "Pushes <it>"}, {"equations", "Eq. (99)"}},
+                         {{"function", "pull"}, {"does", ""}, {"equations", ""}}};
+    } else {
+      sheet["length_m"] = h;
+      sheet["functions"] = {
+          sampled("W", "1/m2", 3.0 * h, [&](double r) { return (3.0 - r / h) / (h * h); }),
+          sampled("dW/dr", "1/m3", 3.0 * h, [&](double) { return -1.0 / (h * h * h); })};
+      sheet["stages"] = {{{"function", "kick"}, {"does", "Kicks it"}, {"equations", ""}}};
+    }
+    write_text(folder_ / ("runs/" + name + "/method.json"), sheet.dump());
   }
 
   [[nodiscard]] std::filesystem::path study() const { return folder_ / "studies/study.toml"; }

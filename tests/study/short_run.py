@@ -5,6 +5,7 @@ Short enough for the sanitizers. Usage: short_run.py BUILD_FOLDER
 
 import csv
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -58,6 +59,70 @@ class ShortRun(unittest.TestCase):
                 self.assertEqual(len(cells), len(pairs))
                 for a, b in zip(cells, pairs):
                     self.assertAlmostEqual(a, b, places=4)
+
+
+def simpson(y, width):
+    """y(0), ... at an even number of equal steps that make up the width."""
+    weights = [1] + [4 if k % 2 else 2 for k in range(1, len(y) - 1)] + [1]
+    return sum(w * v for w, v in zip(weights, y)) * width / (len(y) - 1) / 3
+
+
+class Figures(unittest.TestCase):
+    """Figs. 1 to 5 hold what the solvers compute with, from the program to the picture."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        cls.folder = Path(cls.temporary.name)
+        runs = ""
+        for method in ("mps", "sph"):
+            call(BIN / "surge-particle", "run", CASE, "--out", cls.folder / "runs" / method,
+                 "--set", f"method.name={method}", "--set", "resolution.spacing=0.0145",
+                 "--set", "time.end=0.02")
+            runs += f'[[run]]\nname = "{method}"\nprogram = "surge-particle"\ncase = "c"\n'
+        (cls.folder / "study.toml").write_text(
+            'title = "Short"\nreference = "mps"\nstrip_height = 0.0435\n'
+            "snapshot_times = [0.01, 0.02]\npublished = []\n" + runs)
+
+    def figure(self, number):
+        call(BIN / "surge-compare", "figure", number, "--study", self.folder / "study.toml",
+             "--runs", self.folder / "runs", "--out", self.folder)
+        for ending in ("svg", "pdf"):
+            self.assertGreater((self.folder / f"fig{number}.{ending}").stat().st_size, 1000)
+        with open(self.folder / f"fig{number}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_weight_function(self):
+        rows = [row for row in self.figure(1) if row["function"] == "w"]
+        for row in rows:
+            r, w = float(row["r_over_l0"]), float(row["w"])
+            self.assertAlmostEqual(w, max(2.1 / r - 1, 0), places=9)
+        r_w = [2.1] + [float(row["r_over_l0"]) * float(row["w"]) for row in rows[:200]]
+        self.assertAlmostEqual(2 * math.pi * simpson(r_w, 2.1), math.pi * 2.1**2, places=9)
+
+    def test_kernel_integrates_to_one(self):
+        rows = self.figure(4)[:201]
+        r_w = [float(row["r_over_h"]) * float(row["W_times_h2"]) for row in rows]
+        self.assertAlmostEqual(2 * math.pi * simpson(r_w, 3), 1, places=6)
+        r2_slope = [float(row["r_over_h"])**2 * float(row["dW_dr_times_h3"]) for row in rows]
+        self.assertAlmostEqual(2 * math.pi * simpson(r2_slope, 3), -2, places=6)
+
+    def test_flowcharts_name_the_functions_of_the_step(self):
+        for number, names in ((3, ("solve_pressure", "correct")), (5, ("apply_continuity", "drift"))):
+            rows = self.figure(number)
+            svg = (self.folder / f"fig{number}.svg").read_text(encoding="utf-8")
+            functions = [row["function"] for row in rows]
+            for name in names:
+                self.assertIn(name, functions)
+            for row in rows:
+                self.assertIn(row["function"] + "()", svg)
+                self.assertIn(row["does"], svg)
+
+    def test_interaction_domain(self):
+        rings = [float(row["ring"]) for row in self.figure(2)]
+        self.assertEqual(rings.count(0), 1)
+        self.assertGreater(rings.count(1), 7)
 
 
 if __name__ == "__main__":
