@@ -32,8 +32,12 @@ void measure_patterns(const StudyResult& study, nlohmann::json& metrics);
 /// step and per simulated second, and the shares of neighbours, pressure and forces.
 void measure_cost(const StudyResult& study, nlohmann::json& metrics);
 
-/// All claims. Needs metrics["front"], ["patterns"], ["cost"] and, for the growth with the number
-/// of particles, ["scaling"] where the study has timed runs.
+/// Adds metrics["without_collisions"]: of the MPS runs whose particles do not collide, whatever
+/// role they have, the smallest distance of two particles and how far they came.
+void measure_runs_without_collisions(const StudyResult& study, nlohmann::json& metrics);
+
+/// All claims. Needs metrics["front"], ["patterns"], ["without_collisions"], ["cost"] and, for the
+/// growth with the number of particles, ["scaling"] where the study has timed runs.
 [[nodiscard]] std::vector<Claim> find_claims(const StudyResult& study,
                                              const nlohmann::json& metrics);
 

@@ -62,6 +62,7 @@ std::string pattern_table(const Page& page) {
 
 void measure_claims(const StudyResult& study, json& metrics) {
   measure_patterns(study, metrics);
+  measure_runs_without_collisions(study, metrics);
   measure_cost(study, metrics);
   json& out = metrics["claims"] = json::array();
   for (const Claim& claim : find_claims(study, metrics)) {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+
+#include "compare/figures/table.hpp"
+#include "compare/report/claims.hpp"
+
+namespace surge::compare {
+
+// What the claims of all groups are found with.
+
+inline constexpr const char* reproduced = "reproduced";
+inline constexpr const char* not_reproduced = "not reproduced";
+inline constexpr const char* not_measured = "not measured";
+
+using Runs = std::vector<const RunResult*>;
+
+/// Complete runs of role comparison of a method, without the reference.
+[[nodiscard]] Runs complete_runs(const StudyResult& study, const std::string& method);
+
+/// Null where the pointer leads nowhere.
+[[nodiscard]] nlohmann::json number_at(const nlohmann::json& from,
+                                       const nlohmann::json::json_pointer& pointer);
+/// The number of a run in a table of the metrics that has an entry per run; null where it is not
+/// there.
+[[nodiscard]] nlohmann::json number_of(const nlohmann::json& metrics, const char* table,
+                                       const RunResult& run, const std::string& pointer);
+/// A resolved parameter of the run's method; null where the run does not state it.
+[[nodiscard]] nlohmann::json parameter_of(const RunResult& run, const std::string& name);
+
+/// reproduced, not reproduced or "depends on CONDITION" by how many of how many meet the criterion.
+[[nodiscard]] std::string verdict_of(std::size_t met, std::size_t all,
+                                     const std::string& condition);
+
+/// "MPS", "SPH"
+[[nodiscard]] std::string upper_name(const std::string& method);
+
+/// Counts of comparisons between the runs of both methods.
+struct PairCount {
+  std::size_t met = 0, all = 0;
+  PairCount& operator+=(const PairCount& other) {
+    met += other.met;
+    all += other.all;
+    return *this;
+  }
+};
+/// Every run of the one with every run of the other for which the value is known.
+[[nodiscard]] PairCount compare_pairs(const Runs& mps, const Runs& sph,
+                                      const std::function<nlohmann::json(const RunResult&)>& value,
+                                      const std::function<bool(double mps, double sph)>& as_said);
+
+[[nodiscard]] Claim agreement_claim(const StudyResult& study, const nlohmann::json& metrics,
+                                    const std::string& method);
+[[nodiscard]] Claim accuracy_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim pattern_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim fragmentation_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim clustering_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim robustness_claim(const StudyResult& study);
+[[nodiscard]] Claim cost_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim pressure_claim(const StudyResult& study, const nlohmann::json& metrics);
+[[nodiscard]] Claim growth_claim(const nlohmann::json& metrics);
+
+}  // namespace surge::compare
