@@ -74,13 +74,40 @@ class CellGrid {
   [[nodiscard]] std::size_t cell_count() const {
     return cell_begin_.size() - 1;
   }
+  [[nodiscard]] std::size_t particle_count() const {
+    return cell_begin_.back();
+  }
   [[nodiscard]] std::pair<std::size_t, std::size_t> particles_of(std::size_t cell) const {
     return {cell_begin_[cell], cell_begin_[cell + 1]};
+  }
+
+  /// Cells along each axis, x running fastest in the numbering of cells.
+  [[nodiscard]] const std::array<int, D>& cells() const {
+    return cells_;
+  }
+  [[nodiscard]] int reach() const {
+    return reach_;
+  }
+  [[nodiscard]] bool is_periodic(int axis) const {
+    return periodicity_.length[axis] > 0.0;
   }
 
   /// Calls f(Segment) for the stretches that hold all neighbours of the particles of a cell.
   template <class F>
   void for_each_segment(std::size_t cell, F&& f) const;
+  /// The same for the cell at `centre` and the half of its surroundings that comes after it in the
+  /// numbering (with periodic axes: of the numbering continued across the boundary), the cell's own
+  /// particles first: over all cells, each pair of particles is found once. Not for a single cell.
+  template <class F>
+  void for_each_forward_segment(const std::array<int, D>& centre, F&& f) const {
+    rows_around(centre, true, f);
+  }
+  [[nodiscard]] std::size_t cell_at(const std::array<int, D>& indices) const {
+    std::size_t cell = 0;
+    for (int a = D - 1; a >= 0; --a)
+      cell = cell * static_cast<std::size_t>(cells_[a]) + static_cast<std::size_t>(indices[a]);
+    return cell;
+  }
 
  private:
   template <class T>
@@ -96,11 +123,10 @@ class CellGrid {
   void sort_into_cells(const std::array<Field, D>& x);
   [[nodiscard]] std::array<int, D> cell_indices(std::size_t cell) const;
   template <class F>
-  void segments_of_row(const std::array<int, D>& centre, std::array<int, D> row, Vec<D> shift,
+  void rows_around(const std::array<int, D>& centre, bool forward, F& f) const;
+  template <class F>
+  void segments_of_row(const std::array<int, D>& row, int first, int last, Vec<D> shift,
                        F& f) const;
-  [[nodiscard]] bool is_periodic(int axis) const {
-    return periodicity_.length[axis] > 0.0;
-  }
 
   Search search_;
   Periodicity<D> periodicity_;
@@ -139,11 +165,17 @@ void CellGrid<D>::for_each_segment(std::size_t cell, F&& f) const {
     }
     return;
   }
-  const auto centre = cell_indices(cell);
+  rows_around(cell_indices(cell), false, f);
+}
+
+template <int D>
+template <class F>
+void CellGrid<D>::rows_around(const std::array<int, D>& centre, bool forward, F& f) const {
   const int width = 2 * reach_ + 1;
   int rows = 1;
   for (int a = 1; a < D; ++a) rows *= width;
-  for (int k = 0; k < rows; ++k) {
+  const int own = rows / 2;
+  for (int k = forward ? own : 0; k < rows; ++k) {
     std::array<int, D> row{};
     Vec<D> shift{};
     bool inside = true;
@@ -156,25 +188,24 @@ void CellGrid<D>::for_each_segment(std::size_t cell, F&& f) const {
         row[a] -= cells_[a], shift[a] += periodicity_.length[a];
       inside = inside && row[a] >= 0 && row[a] < cells_[a];
     }
-    if (inside) segments_of_row(centre, row, shift, f);
+    const int first = centre[0] - (forward && k == own ? 0 : reach_);
+    if (inside) segments_of_row(row, first, centre[0] + reach_, shift, f);
   }
 }
 
 template <int D>
 template <class F>
-void CellGrid<D>::segments_of_row(const std::array<int, D>& centre, std::array<int, D> row,
-                                  Vec<D> shift, F& f) const {
+void CellGrid<D>::segments_of_row(const std::array<int, D>& row, int first, int last, Vec<D> shift,
+                                  F& f) const {
   std::size_t base = 0;
   for (int a = D - 1; a > 0; --a)
     base = (base + static_cast<std::size_t>(row[a])) * static_cast<std::size_t>(cells_[a - 1]);
-  const auto emit = [&](int first, int last, double shift_x) {
-    const std::size_t begin = cell_begin_[base + static_cast<std::size_t>(first)];
-    const std::size_t end = cell_begin_[base + static_cast<std::size_t>(last) + 1];
+  const auto emit = [&](int from, int to, double shift_x) {
+    const std::size_t begin = cell_begin_[base + static_cast<std::size_t>(from)];
+    const std::size_t end = cell_begin_[base + static_cast<std::size_t>(to) + 1];
     shift[0] = shift_x;
     if (begin < end) f(Segment{begin, end, shift});
   };
-  int first = centre[0] - reach_;
-  int last = centre[0] + reach_;
   if (!is_periodic(0)) {
     emit(first < 0 ? 0 : first, last >= cells_[0] ? cells_[0] - 1 : last, 0.0);
     return;

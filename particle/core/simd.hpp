@@ -15,4 +15,36 @@ inline Simd load(const double* p) {
   return Simd(p, stdx::vector_aligned);
 }
 
+// GCC 12 takes its own placeholder for the lanes of a root for an uninitialised value (PR 105593).
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+inline Simd root(Simd x) {
+  return stdx::sqrt(x);
+}
+#pragma GCC diagnostic pop
+
+/// to[k] = from[k] + shift for k < n. Runs of some ten numbers, of which the loops over cells copy
+/// very many: whole vectors, the last one overlapping the one before instead of a rest by ones.
+inline void copy_run(const double* from, std::size_t n, double shift, double* to) {
+  if (n < simd_width) {
+    for (std::size_t k = 0; k < n; ++k) to[k] = from[k] + shift;
+    return;
+  }
+  const auto copy = [&](std::size_t k) {
+    (Simd(from + k, stdx::element_aligned) + shift).copy_to(to + k, stdx::element_aligned);
+  };
+  for (std::size_t k = 0; k + simd_width <= n; k += simd_width) copy(k);
+  copy(n - simd_width);
+}
+
+/// to[k] += from[k] for k < n, in the same way.
+inline void add_run(const double* from, std::size_t n, double* to) {
+  std::size_t k = 0;
+  for (; k + simd_width <= n; k += simd_width) {
+    const Simd sum = Simd(from + k, stdx::element_aligned) + Simd(to + k, stdx::element_aligned);
+    sum.copy_to(to + k, stdx::element_aligned);
+  }
+  for (; k < n; ++k) to[k] += from[k];
+}
+
 }  // namespace surge

@@ -151,7 +151,7 @@ template <int D>
 void Solver<D>::kick(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   for_each_fluid([&](std::size_t i) {
-    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * acceleration_[a][i];
+    for (int a = 0; a < D; ++a) p_.v[a][i] += dt * (acceleration_[a][i] + gravity_[a]);
   });
 }
 
@@ -160,7 +160,8 @@ void Solver<D>::half_drift(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   for (int a = 0; a < D; ++a) xsph_old_[a].swap(xsph_[a]);
   for_each_fluid([&](std::size_t i) {
-    for (int a = 0; a < D; ++a) p_.x[a][i] += 0.5 * dt * (p_.v[a][i] + xsph_old_[a][i]);
+    for (int a = 0; a < D; ++a)
+      p_.x[a][i] += 0.5 * dt * (p_.v[a][i] + params_.xsph_epsilon * xsph_old_[a][i]);
   });
 }
 
@@ -168,7 +169,6 @@ template <int D>
 void Solver<D>::apply_continuity(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   update_fluid_volume();
-  std::fill(density_rate_.begin(), density_rate_.end(), 0.0);
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
@@ -179,8 +179,10 @@ void Solver<D>::apply_continuity(double dt) {
       },
       kernel_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
+  const bool walls_too = params_.wall_density == WallDensity::continuity;
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) p_.density[i] += dt * density_rate_[i];
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (walls_too || is_fluid(static_cast<std::size_t>(i))) p_.density[i] += dt * density_rate_[i];
 }
 
 template <int D>
@@ -191,72 +193,75 @@ void Solver<D>::update_fluid_volume() {
     fluid_volume_[i] = p_.type[i] == ParticleType::fluid ? mass_ / p_.density[i] : 0.0;
 }
 
+/// Continuity, Eq. (20), with density diffusion where it is on, and the sums of XSPH, Eq. (24).
 template <int D>
 template <class K, bool Diffusion>
 void Solver<D>::continuity_pass(const K& kernel) {
-  constexpr int fields = Diffusion ? 2 * D + 2 : 2 * D + 1;
-  std::array<const double*, fields> source;
+  using Loop = ContinuityLoop<Diffusion>;
+  typename Loop::Sources fields;
+  typename Loop::Sums sums;
   for (int a = 0; a < D; ++a) {
-    source[a] = p_.x[a].data();
-    source[D + a] = p_.v[a].data();
+    fields[a] = p_.x[a].data();
+    fields[D + a] = p_.v[a].data();
+    sums[a] = xsph_[a].data();
   }
-  source[2 * D] = fluid_volume_.data();
-  if constexpr (Diffusion) source[2 * D + 1] = p_.density.data();
-  const bool walls_too = params_.wall_density == WallDensity::continuity;
+  fields[2 * D] = fluid_volume_.data();
+  if constexpr (Diffusion) fields[2 * D + 1] = p_.density.data();
+  sums[D] = density_rate_.data();
   const double diffusion = params_.density_diffusion * h_ * c0_;
   // Without gravity the hydrostatic part is zero: the same sum for both choices.
   Vec<D> still_gravity{};
   if (params_.diffusion_of == DiffusionOf::dynamic_density) still_gravity = still_gravity_;
 
-  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
-    const bool fluid = is_fluid(i);
-    if (!fluid && !walls_too) return;
-    std::array<Simd, D> xi;
-    std::array<Simd, D> vi;
-    std::array<Simd, D> moved{};
+  const auto pair = [&](const auto& i, const auto& j) {
+    std::array<Simd, D> dx;
+    std::array<Simd, D> dv;
+    Simd r2 = tiny;
     for (int a = 0; a < D; ++a) {
-      xi[a] = p_.x[a][i];
-      vi[a] = p_.v[a][i];
+      dx[a] = j[a] - i[a];
+      dv[a] = j[D + a] - i[D + a];
+      r2 += dx[a] * dx[a];
     }
-    Simd divergence = 0.0;
-    Simd diffused = 0.0;
-    [[maybe_unused]] const Simd rho_i = p_.density[i];
-    for (std::size_t j = 0; j < tile.count; j += simd_width) {
-      std::array<Simd, D> dx;
-      std::array<Simd, D> dv;
-      Simd r2 = tiny;
-      for (int a = 0; a < D; ++a) {
-        dx[a] = load(tile.field[a] + j) - xi[a];
-        dv[a] = load(tile.field[D + a] + j) - vi[a];
-        r2 += dx[a] * dx[a];
-      }
-      const Simd r = stdx::sqrt(r2);
-      const Simd slope = kernel.derivative(r) / r;
-      const Simd volume = load(tile.field[2 * D] + j);
-      divergence += continuity<Simd, D>(dv, dx, slope);
-      const Simd weight = xsph_weight(volume, kernel.value(r));
-      for (int a = 0; a < D; ++a) moved[a] += weight * dv[a];
-      if constexpr (Diffusion) {
-        const Simd rho_j = load(tile.field[2 * D + 1] + j);
-        Simd head = 0.0;
-        for (int a = 0; a < D; ++a) head += Simd(still_gravity[a]) * dx[a];
-        const Simd still = hydrostatic_difference<Simd>(head, Simd(0.5) * (rho_i + rho_j), rho0_,
-                                                        c0_, params_.gamma);
-        diffused += density_diffusion<Simd>(rho_j - rho_i - still, volume, slope);
-      }
+    const Simd r = root(r2);
+    const Simd value = kernel.value(r);
+    const Simd slope = kernel.derivative(r) / r;
+    const Simd volume_i = i[2 * D];
+    const Simd volume_j = j[2 * D];
+    PairTerms<D + 1> terms;
+    const Simd weight_i = xsph_weight(volume_j, value);
+    const Simd weight_j = xsph_weight(volume_i, value);
+    for (int a = 0; a < D; ++a) {
+      terms.to_i[a] = weight_i * dv[a];
+      terms.to_j[a] = -weight_j * dv[a];
     }
-    double rate = mass_ * stdx::reduce(divergence);
-    if (fluid) {
-      if constexpr (Diffusion) rate += diffusion * stdx::reduce(diffused);
-      for (int a = 0; a < D; ++a) xsph_[a][i] = params_.xsph_epsilon * stdx::reduce(moved[a]);
+    const Simd rate = Simd(mass_) * continuity<Simd, D>(dv, dx, slope);
+    terms.to_i[D] = rate;
+    terms.to_j[D] = rate;
+    if constexpr (Diffusion) {
+      const Simd rho_i = i[2 * D + 1];
+      const Simd rho_j = j[2 * D + 1];
+      Simd head = 0.0;
+      for (int a = 0; a < D; ++a) head += Simd(still_gravity[a]) * dx[a];
+      const Simd still = hydrostatic_difference<Simd>(head, Simd(0.5) * (rho_i + rho_j), rho0_, c0_,
+                                                      params_.gamma);
+      Simd diffused =
+          Simd(diffusion) * density_diffusion<Simd>(rho_j - rho_i - still, Simd(1.0), slope);
+      // Walls have no volume here: they neither give nor take.
+      stdx::where(volume_i * volume_j == 0.0, diffused) = 0.0;
+      terms.to_i[D] += diffused * volume_j;
+      terms.to_j[D] -= diffused * volume_i;
     }
-    density_rate_[i] = rate;
+    return terms;
   };
-  const auto wanted = [&](std::size_t cell) { return near_fluid(cell); };
+  const bool walls_too = params_.wall_density == WallDensity::continuity;
+  const auto needed = [&](std::size_t i) { return walls_too || is_fluid(i); };
+  const auto any_fluid = [&](std::size_t begin, std::size_t end) {
+    return fluid_before_[end] > fluid_before_[begin];
+  };
   if constexpr (Diffusion)
-    pair_loop<D, fields>(grid_, diffusion_tiles_, source, wanted, body);
+    diffusion_loop_(grid_, fields, sums, needed, any_fluid, pair);
   else
-    pair_loop<D, fields>(grid_, continuity_tiles_, source, wanted, body);
+    continuity_loop_(grid_, fields, sums, needed, any_fluid, pair);
 }
 
 template <int D>
@@ -273,8 +278,8 @@ void Solver<D>::drift(double dt, StepReport& report) {
     Vec<D> v;
     for (int a = 0; a < D; ++a) {
       v[a] = p_.v[a][i];
-      start[a] = p_.x[a][i] - 0.5 * dt * (v[a] + xsph_old_[a][i]);
-      end[a] = start[a] + dt * (v[a] + xsph_[a][i]);
+      start[a] = p_.x[a][i] - 0.5 * dt * (v[a] + params_.xsph_epsilon * xsph_old_[a][i]);
+      end[a] = start[a] + dt * (v[a] + params_.xsph_epsilon * xsph_[a][i]);
     }
     if (walls_.apply(start, end, v)) {
       ++collisions;
@@ -337,7 +342,7 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
         r2 += dx * dx;
         head -= Simd(still_gravity_[a]) * dx;
       }
-      Simd weight = kernel.value(Simd(stdx::sqrt(r2)));
+      Simd weight = kernel.value(Simd(root(r2)));
       stdx::where(load(tile.field[D + 2] + j) == 0.0, weight) = 0.0;
       weights += weight;
       pressures += weight * (load(tile.field[D] + j) + load(tile.field[D + 1] + j) * head);
@@ -408,84 +413,89 @@ void Solver<D>::apply_momentum() {
 template <int D>
 template <class K, bool Viscous>
 void Solver<D>::momentum_pass(const K& kernel) {
-  constexpr int fields = Viscous ? 2 * D + 3 : D + 1;
-  std::array<const double*, fields> source;
-  for (int a = 0; a < D; ++a) source[a] = p_.x[a].data();
-  source[D] = p_over_rho2_.data();
+  using Loop = MomentumLoop<Viscous>;
+  typename Loop::Sources fields;
+  typename Loop::Sums sums;
+  for (int a = 0; a < D; ++a) {
+    fields[a] = p_.x[a].data();
+    sums[a] = acceleration_[a].data();
+  }
+  fields[D] = p_over_rho2_.data();
   if constexpr (Viscous) {
     const auto& velocity = no_slip_ ? rubbing_velocity_ : p_.v;
-    for (int a = 0; a < D; ++a) source[D + 1 + a] = velocity[a].data();
-    source[2 * D + 1] = p_.density.data();
-    source[2 * D + 2] = fluid_volume_.data();
+    for (int a = 0; a < D; ++a) fields[D + 1 + a] = velocity[a].data();
+    fields[2 * D + 1] = p_.density.data();
+    fields[2 * D + 2] = fluid_volume_.data();
   }
   const double alpha_c0_h = params_.artificial_viscosity * c0_ * h_;
   const double h2 = h_ * h_;
   const bool deformation = params_.viscous_term == ViscousTerm::deformation;
 
-  const auto body = [&](std::size_t i, const Tile<fields>& tile) {
-    if (!is_fluid(i)) return;
-    std::array<Simd, D> xi;
-    std::array<Simd, D> force{};
-    [[maybe_unused]] std::array<Simd, D> vi;
-    [[maybe_unused]] std::array<Simd, D> friction{};
+  const auto pair = [&](const auto& i, const auto& j) {
+    std::array<Simd, D> dx;
+    Simd r2 = tiny;
     for (int a = 0; a < D; ++a) {
-      xi[a] = p_.x[a][i];
-      vi[a] = p_.v[a][i];
+      dx[a] = j[a] - i[a];
+      r2 += dx[a] * dx[a];
     }
-    const Simd pi = p_over_rho2_[i];
-    [[maybe_unused]] const Simd rho_i = p_.density[i];
-    for (std::size_t j = 0; j < tile.count; j += simd_width) {
-      std::array<Simd, D> dx;
-      Simd r2 = tiny;
+    const Simd r = root(r2);
+    const Simd slope = kernel.derivative(r) / r;
+    Simd factor = pressure_term(i[D], j[D], slope);
+    PairTerms<D> terms;
+    if constexpr (Viscous) {
+      std::array<Simd, D> dv;
+      Simd approach = 0.0;
       for (int a = 0; a < D; ++a) {
-        dx[a] = load(tile.field[a] + j) - xi[a];
-        r2 += dx[a] * dx[a];
+        dv[a] = j[D + 1 + a] - i[D + 1 + a];
+        approach += dv[a] * dx[a];
       }
-      const Simd r = stdx::sqrt(r2);
-      const Simd slope = kernel.derivative(r) / r;
-      Simd factor = pressure_term(pi, load(tile.field[D] + j), slope);
-      if constexpr (Viscous) {
-        std::array<Simd, D> dv;
-        Simd approach = 0.0;
+      // Padding has no density.
+      const Simd rho_i = stdx::max(i[2 * D + 1], Simd(1e-3));
+      const Simd rho_j = stdx::max(j[2 * D + 1], Simd(1e-3));
+      Simd volume_i = i[2 * D + 2];
+      Simd volume_j = j[2 * D + 2];
+      Simd artificial =
+          artificial_viscosity(approach, r2, Simd(0.5) * (rho_i + rho_j), alpha_c0_h, h2) * slope;
+      // Slip walls exert no friction.
+      stdx::where(volume_i * volume_j == 0.0, artificial) = 0.0;
+      factor += artificial;
+      const Simd pressure = Simd(mass_) * factor;
+      for (int a = 0; a < D; ++a) {
+        terms.to_i[a] = pressure * dx[a];
+        terms.to_j[a] = -terms.to_i[a];
+      }
+      if (nu_ > 0.0) {
+        if (no_slip_) {
+          volume_i = Simd(mass_) / rho_i;
+          volume_j = Simd(mass_) / rho_j;
+        }
+        // What is to be multiplied with the other's volume.
+        const Simd one = 1.0;
+        const Simd rub = deformation ? deformation_viscosity<D>(approach, r2, slope, one, nu_)
+                                     : laminar_viscosity(r2, slope, one, nu_, h2);
+        const auto& along = deformation ? dx : dv;
         for (int a = 0; a < D; ++a) {
-          dv[a] = load(tile.field[D + 1 + a] + j) - vi[a];
-          approach += dv[a] * dx[a];
-        }
-        const Simd rho_j = load(tile.field[2 * D + 1] + j);
-        const Simd volume = load(tile.field[2 * D + 2] + j);
-        // Padding has no density; slip walls exert no friction.
-        const Simd mean = stdx::max(Simd(0.5) * (rho_i + rho_j), Simd(1e-3));
-        Simd artificial = artificial_viscosity(approach, r2, mean, alpha_c0_h, h2) * slope;
-        stdx::where(volume == 0.0, artificial) = 0.0;
-        factor += artificial;
-        if (nu_ > 0.0) {
-          Simd rubbing_volume = volume;
-          if (no_slip_) rubbing_volume = Simd(mass_) / stdx::max(rho_j, Simd(1e-3));
-          if (deformation) {
-            const Simd rub = deformation_viscosity<D>(approach, r2, slope, rubbing_volume, nu_);
-            for (int a = 0; a < D; ++a) friction[a] += rub * dx[a];
-          } else {
-            const Simd rub = laminar_viscosity(r2, slope, rubbing_volume, nu_, h2);
-            for (int a = 0; a < D; ++a) friction[a] += rub * dv[a];
-          }
+          terms.to_i[a] += rub * volume_j * along[a];
+          terms.to_j[a] -= rub * volume_i * along[a];
         }
       }
-      for (int a = 0; a < D; ++a) force[a] += factor * dx[a];
+    } else {
+      factor *= Simd(mass_);
+      for (int a = 0; a < D; ++a) {
+        terms.to_i[a] = factor * dx[a];
+        terms.to_j[a] = -terms.to_i[a];
+      }
     }
-    for (int a = 0; a < D; ++a) {
-      double sum = mass_ * stdx::reduce(force[a]) + gravity_[a];
-      if constexpr (Viscous) sum += stdx::reduce(friction[a]);
-      acceleration_[a][i] = sum;
-    }
+    return terms;
   };
-  const auto wanted = [&](std::size_t cell) {
-    const auto [begin, end] = grid_.particles_of(cell);
+  const auto needed = [&](std::size_t i) { return is_fluid(i); };
+  const auto any_fluid = [&](std::size_t begin, std::size_t end) {
     return fluid_before_[end] > fluid_before_[begin];
   };
   if constexpr (Viscous)
-    pair_loop<D, fields>(grid_, viscous_tiles_, source, wanted, body);
+    viscous_loop_(grid_, fields, sums, needed, any_fluid, pair);
   else
-    pair_loop<D, fields>(grid_, momentum_tiles_, source, wanted, body);
+    momentum_loop_(grid_, fields, sums, needed, any_fluid, pair);
 }
 
 template <int D>

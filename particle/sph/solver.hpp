@@ -4,9 +4,9 @@
 
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
-#include "particle/core/pair_loop.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/step_report.hpp"
+#include "particle/core/symmetric_pair_loop.hpp"
 #include "particle/core/wall_collision.hpp"
 #include "particle/io/case.hpp"
 #include "particle/kernel/quintic_spline.hpp"
@@ -49,10 +49,17 @@ class Solver {
   [[nodiscard]] double smoothing_length() const { return h_; }
 
  private:
+  /// Reads x, v, volume (and density); sums XSPH and the rate of density.
+  template <bool Diffusion>
+  using ContinuityLoop = SymmetricPairLoop<D, Diffusion ? 2 * D + 2 : 2 * D + 1, D + 1>;
+  /// Reads x, p/rho^2 (and v, density, volume); sums the acceleration without gravity.
+  template <bool Viscous>
+  using MomentumLoop = SymmetricPairLoop<D, Viscous ? 2 * D + 3 : D + 1, D>;
+
   // The first line of the comment on a function that step() calls is its box in the flowchart.
   /// Particles sorted into cells of neighbours.
   void sort_particles(double dt);
-  /// Velocities by half a step.
+  /// Velocities by half a step, gravity too.
   void kick(double dt);
   /// Positions by half a step.
   void half_drift(double dt);
@@ -69,7 +76,7 @@ class Solver {
   void extrapolate_to_walls(const K& kernel);
   template <class K>
   void extrapolate_velocity(const K& kernel);
-  /// Accelerations by pressure and gravity, Eqs. (22), (23).
+  /// Accelerations by pressure, Eqs. (22), (23).
   void apply_momentum();
   template <class K, bool Viscous>
   void momentum_pass(const K& kernel);
@@ -106,10 +113,10 @@ class Solver {
   std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
 
   CellGrid<D> grid_;
-  std::vector<TileBuffer<D, 2 * D + 1>> continuity_tiles_;
-  std::vector<TileBuffer<D, 2 * D + 2>> diffusion_tiles_;
-  std::vector<TileBuffer<D, D + 1>> momentum_tiles_;
-  std::vector<TileBuffer<D, 2 * D + 3>> viscous_tiles_;
+  ContinuityLoop<false> continuity_loop_;
+  ContinuityLoop<true> diffusion_loop_;
+  MomentumLoop<false> momentum_loop_;
+  MomentumLoop<true> viscous_loop_;
   std::vector<TileBuffer<D, D + 3>> wall_tiles_;
   std::vector<TileBuffer<D, 2 * D + 1>> rubbing_tiles_;
 
