@@ -32,6 +32,10 @@ template <class T>
 using AlignedVector = std::vector<T, AlignedAllocator<T>>;
 using Field = AlignedVector<double>;
 
+/// Loops whose work differs from particle to particle (walls have little of it) hand it to the
+/// threads in stretches of this length, in turn.
+inline constexpr int stretch = 1024;
+
 /// The values written to frames, in this order.
 enum class ParticleType : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
 

@@ -33,8 +33,7 @@ void compute_excess(const PoissonSystem& system, Field& excess) {
   }
 }
 
-double relative_residual(const PoissonSystem& system, const Field& p) {
-  BlockSum block_sum;
+double relative_residual(const PoissonSystem& system, const Field& p, BlockSum& block_sum) {
   const double residual = block_sum(system.size(), [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t i = begin; i < end; ++i) {

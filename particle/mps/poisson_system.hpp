@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "particle/core/particles.hpp"
+#include "particle/mps/linear/block_sum.hpp"
 
 namespace surge::mps {
 
@@ -47,6 +48,6 @@ void multiply(const PoissonSystem& system, const Field& x, Field& y);
 void compute_excess(const PoissonSystem& system, Field& excess);
 
 /// ||b - A p|| / ||b|| in the Euclidean norm; ||A p|| where b = 0.
-double relative_residual(const PoissonSystem& system, const Field& p);
+double relative_residual(const PoissonSystem& system, const Field& p, BlockSum& block_sum);
 
 }  // namespace surge::mps

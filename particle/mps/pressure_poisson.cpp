@@ -19,7 +19,7 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
   for (int a = 0; a < D; ++a) system_.x[a].resize(unknowns);
 
   system_.row_start[0] = 0;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown[i] < 0) continue;
     std::int32_t entries = 0;
@@ -32,7 +32,7 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
   system_.column.resize(entries);
   system_.value.resize(entries);
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown[i] < 0) continue;
     const auto row = static_cast<std::size_t>(unknown[i]);

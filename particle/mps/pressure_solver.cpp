@@ -75,6 +75,7 @@ struct PressureSolver::State {
   Method method;
   Field excess;
   ClosedRegions closed;
+  BlockSum block_sum;
   PoissonSystem anchored;  // a copy, made only where there are closed regions
 };
 
@@ -116,7 +117,7 @@ SolveReport PressureSolver::solve(const PoissonSystem& system, Field& p) {
     report = std::visit(
         [&](auto& method) { return run(method, *solvable, state_->excess, p, state_->params); },
         state_->method);
-    report.residual = relative_residual(*solvable, p);
+    report.residual = relative_residual(*solvable, p, state_->block_sum);
     if (!std::isfinite(report.residual)) throw Error("pressure: the solution is not finite");
     // The recursive residual of conjugate gradients and the true one part in the last digits.
     report.converged = report.residual <= 1.01 * state_->params.ppe_tolerance;

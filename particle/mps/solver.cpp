@@ -93,7 +93,7 @@ template <int D>
 template <class F>
 void Solver<D>::for_each_fluid(F&& f) {
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t i = 0; i < n; ++i)
     if (is_fluid(static_cast<std::size_t>(i))) f(static_cast<std::size_t>(i));
 }
@@ -172,7 +172,7 @@ void Solver<D>::move(double dt, const std::array<Field, D>& velocity, StepReport
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
   long collisions = 0;
   long lost = 0;
-#pragma omp parallel for schedule(static) reduction(+ : collisions, lost)
+#pragma omp parallel for schedule(static, stretch) reduction(+ : collisions, lost)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (p_.type[i] != ParticleType::fluid) continue;
     Vec<D> start;
@@ -211,7 +211,7 @@ void Solver<D>::collide(double dt, StepReport& report) {
     const auto scope = clock_.measure(Phase::forces);
     const Displacement<D> displacement(p_.x, periodicity_);
     const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static) reduction(+ : collisions)
+#pragma omp parallel for schedule(static, stretch) reduction(+ : collisions)
     for (std::ptrdiff_t k = 0; k < n; ++k) {
       const auto i = static_cast<std::size_t>(k);
       if (!is_fluid(i)) continue;
@@ -235,7 +235,7 @@ void Solver<D>::compute_number_density() {
   const auto scope = clock_.measure(Phase::pressure);
   const Displacement<D> displacement(p_.x, periodicity_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (has_pressure(i)) p_.density[i] = number_density<D>(i, list_.of(i), displacement, re_);
@@ -256,11 +256,16 @@ void Solver<D>::find_free_surface() {
   const auto scope = clock_.measure(Phase::pressure);
   unknowns_ = 0;
   const Displacement<D> displacement(p_.x, periodicity_);
-  for (std::size_t i = 0; i < p_.size(); ++i) {
+  const auto n = static_cast<std::ptrdiff_t>(p_.size());
+#pragma omp parallel for schedule(static, stretch)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(k);
     const bool solved = has_pressure(i) && !is_on_surface(i, displacement);
-    unknown_[i] = solved ? static_cast<std::int32_t>(unknowns_++) : -1;
+    unknown_[i] = solved ? 0 : -1;
     if (!solved) p_.pressure[i] = 0.0;
   }
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (unknown_[i] == 0) unknown_[i] = static_cast<std::int32_t>(unknowns_++);
 }
 
 /// Pa/m^2, with the sign of the Laplacian turned.
@@ -282,7 +287,7 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   PoissonSystem& system = assembly_.system();
   unknown_pressure_.resize(unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown_[i] < 0) continue;
     system.rhs[unknown_[i]] = source(static_cast<std::size_t>(i), dt, displacement);
@@ -293,7 +298,7 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   report.ppe_residual = solve.residual;
   const bool clip = params_.negative_pressure == NegativePressure::clip;
   long clipped = 0;
-#pragma omp parallel for schedule(static) reduction(+ : clipped)
+#pragma omp parallel for schedule(static, stretch) reduction(+ : clipped)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown_[i] < 0) continue;
     double p = unknown_pressure_[unknown_[i]];
@@ -328,7 +333,7 @@ void Solver<D>::correct(double dt, StepReport& report) {
 template <int D>
 void Solver<D>::find_minima(const Displacement<D>& displacement) {
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, stretch)
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (!has_pressure(i)) continue;

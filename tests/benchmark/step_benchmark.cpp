@@ -12,6 +12,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <thread>
+#include <vector>
 
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
@@ -21,10 +23,11 @@
 namespace surge::benchmarks {
 namespace {
 
-/// sph::Solver::continuity_pass and momentum_pass. Both: x_j - x_i 2, r^2 4, root and division 2,
-/// derivative of the quintic spline 18. Continuity alone: v_j - v_i 2, kernel value from the same
-/// brackets 8, divergence 5, XSPH 5. Momentum alone: pressure term 2, force 4.
-constexpr double sph_flops_per_pair = (26 + 2 + 8 + 5 + 5) + (26 + 2 + 4);
+/// sph::Solver::continuity_pass and momentum_pass, for a pair that is met once for both of its
+/// particles. Both: x_j - x_i 2, r^2 4, root and division 2, derivative of the quintic spline 18.
+/// Continuity alone: v_j - v_i 2, kernel value from the same brackets 8, XSPH 6, divergence 5, sums
+/// 6. Momentum alone: pressure term 3, force 2, sums 4.
+constexpr double sph_flops_per_pair = (26 + 2 + 8 + 6 + 5 + 6) + (26 + 3 + 2 + 4);
 /// Every field that a loop of sph::Solver::step() reads or writes, once per loop and in 2D; what
 /// the loops gather for a cell stays in the cache. Kicks 96, half drift 64, volumes 17, continuity
 /// 72, density 24, drift 80, equation of state 40, momentum 40, speed 16.
@@ -111,7 +114,7 @@ void sph_step(benchmark::State& state) {
   const double per_particle = pairs / static_cast<double>(p.size());
   state.counters["pairs/particle"] = per_particle;
   state.counters["pairs/s"] = rate * per_particle;
-  state.counters["flops/particle"] = sph_flops_per_pair * per_particle;
+  state.counters["flops/particle"] = sph_flops_per_pair * 0.5 * per_particle;
   state.counters["bytes_moved/particle"] = sph_bytes_per_particle;
 }
 
@@ -136,6 +139,60 @@ void mps_step(benchmark::State& state, mps::PpeSolver solver) {
       (bytes_per_entry * static_cast<double>(system.value.size()) +
        bytes_of_vectors * static_cast<double>(system.size())) /
       static_cast<double>(p.size());
+}
+
+/// As many solvers as threads, each with one thread and a flow of its own, beside each other: what
+/// the machine leaves of a thread's speed when all its cores work. Their `efficiency` is the
+/// ceiling of what sph_step and mps_step can reach.
+template <class Solver>
+void copies(benchmark::State& state, const Case& c) {
+  using Clock = std::chrono::steady_clock;
+  const auto threads = static_cast<std::size_t>(state.range(1));
+  omp_set_num_threads(1);
+  std::vector<std::unique_ptr<Flow<Solver>>> flows;
+  for (std::size_t k = 0; k < threads; ++k) flows.push_back(std::make_unique<Flow<Solver>>(c));
+  const auto particles = static_cast<double>(flows.front()->solver.particles().size());
+  constexpr int steps = 4;
+  const auto start = Clock::now();
+  flows.front()->advance(steps);
+  const std::chrono::duration<double> alone = Clock::now() - start;
+  double spent = 0.0;
+  for (auto _ : state) {
+    const auto begin = Clock::now();
+    std::vector<std::jthread> workers;
+    for (auto& flow : flows) {
+      workers.emplace_back([&flow] {
+        omp_set_num_threads(1);
+        flow->advance(steps);
+      });
+    }
+    workers.clear();
+    spent += std::chrono::duration<double>(Clock::now() - begin).count();
+  }
+  spent /= static_cast<double>(state.iterations());
+  state.counters["particle_steps/s"] = particles * steps * static_cast<double>(threads) / spent;
+  state.counters["particles"] = particles * static_cast<double>(threads);
+  state.counters["efficiency"] = alone.count() / spent;
+}
+
+void register_copies() {
+  const auto add = [](const char* name, auto&& run) {
+    benchmark::RegisterBenchmark(name, run)
+        ->ArgNames({"fluid", "threads"})
+        ->Args({100000, omp_get_num_procs()})
+        ->Iterations(4)
+        ->Repetitions(3)
+        ->ReportAggregatesOnly(true)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("sph_step_copies",
+      [](benchmark::State& s) { copies<sph::Solver<2>>(s, developed_column("sph", s.range(0))); });
+  add("mps_step_copies", [](benchmark::State& s) {
+    Case c = developed_column("mps", s.range(0));
+    std::get<mps::Params>(c.method).ppe_solver = mps::PpeSolver::multigrid;
+    copies<mps::Solver<2>>(s, c);
+  });
 }
 
 /// One benchmark per size and number of threads, one thread first: efficiency refers to it. Three
@@ -173,6 +230,7 @@ int main(int argc, char** argv) {
   register_sizes(
       "mps_step_iccg", [](benchmark::State& s) { mps_step(s, surge::mps::PpeSolver::iccg); },
       100000, 400000);
+  register_copies();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

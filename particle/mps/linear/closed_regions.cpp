@@ -1,20 +1,47 @@
 #include "particle/mps/linear/closed_regions.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 namespace surge::mps {
 
 namespace {
 
-bool has_open_neighbour(const PoissonSystem& system, const AlignedVector<char>& open,
-                        std::size_t i) {
+/// Flags that threads read while others set them: a flag is only ever set, and the sweeps go on
+/// until nothing changes, so that it does not matter when it is seen.
+using Flag = std::atomic_ref<char>;
+
+bool has_open_neighbour(const PoissonSystem& system, AlignedVector<char>& open, std::size_t i) {
   for (auto k = system.row_start[i]; k < system.row_start[i + 1]; ++k) {
-    if (open[static_cast<std::size_t>(system.column[static_cast<std::size_t>(k)])] != 0) {
-      return true;
-    }
+    const auto j = static_cast<std::size_t>(system.column[static_cast<std::size_t>(k)]);
+    if (Flag(open[j]).load(std::memory_order_relaxed) != 0) return true;
   }
   return false;
+}
+
+struct Sweep {
+  std::int32_t found = 0;  ///< rows that were reached
+  std::int32_t left = 0;   ///< rows that were not
+};
+
+/// Every thread goes through a stretch of its own, upwards or downwards.
+Sweep sweep(const PoissonSystem& system, AlignedVector<char>& open, bool upwards) {
+  const auto n = static_cast<std::int32_t>(system.size());
+  std::int32_t found = 0;
+  std::int32_t left = 0;
+#pragma omp parallel for schedule(static) reduction(+ : found, left)
+  for (std::int32_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(upwards ? k : n - 1 - k);
+    if (Flag(open[i]).load(std::memory_order_relaxed) != 0) continue;
+    if (has_open_neighbour(system, open, i)) {
+      Flag(open[i]).store(1, std::memory_order_relaxed);
+      ++found;
+    } else {
+      ++left;
+    }
+  }
+  return {found, left};
 }
 
 }  // namespace
@@ -23,30 +50,16 @@ const std::vector<Region>& ClosedRegions::find(const PoissonSystem& system, cons
   const auto n = static_cast<std::int32_t>(system.size());
   regions_.clear();
   open_.resize(system.size());
-  for (std::size_t i = 0; i < system.size(); ++i) open_[i] = excess[i] > 0.0 ? 1 : 0;
+#pragma omp parallel for schedule(static)
+  for (std::int32_t i = 0; i < n; ++i)
+    open_[static_cast<std::size_t>(i)] = excess[static_cast<std::size_t>(i)] > 0.0 ? 1 : 0;
 
   // In cell order one sweep down and one up reach nearly everything; then sweep until at rest.
-  std::int32_t found = 1;
-  std::int32_t left = 1;
-  const auto visit = [&](std::int32_t i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (open_[at] != 0) return;
-    if (has_open_neighbour(system, open_, at)) {
-      open_[at] = 1;
-      ++found;
-    } else {
-      ++left;
-    }
-  };
-  while (found > 0 && left > 0) {
-    found = 0;
-    left = 0;
-    for (std::int32_t i = n - 1; i >= 0; --i) visit(i);
-    if (left == 0) break;
-    left = 0;
-    for (std::int32_t i = 0; i < n; ++i) visit(i);
+  for (bool upwards = false;; upwards = !upwards) {
+    const Sweep done = sweep(system, open_, upwards);
+    if (done.left == 0) return regions_;
+    if (done.found == 0) break;
   }
-  if (left == 0) return regions_;
 
   for (std::int32_t seed = 0; seed < n; ++seed) {
     if (open_[static_cast<std::size_t>(seed)] != 0) continue;

@@ -8,7 +8,7 @@ namespace surge::mps {
 namespace {
 
 // Starting threads for less costs more than it gains.
-constexpr std::int32_t parallel_from = 4000;
+constexpr std::int32_t parallel_from = 1000;
 // A dense factorisation of this size costs less than a sweep over the particles.
 constexpr std::int32_t coarsest_size = 100;
 // Nodes that too few particles touch leave the operator singular. The coarsest grid spans the whole
@@ -157,7 +157,7 @@ void GridMultigrid<D>::galerkin(const GridLevel<D>& fine, GridLevel<D>& coarse) 
   constexpr int stencil = GridLevel<D>::stencil;
   constexpr int centre = stencil / 2;
   const std::int32_t n = coarse.size();
-#pragma omp parallel for schedule(static) if (n > parallel_from / 10)
+#pragma omp parallel for schedule(static) if (n > parallel_from / 4)
   for (std::int32_t node = 0; node < n; ++node) {
     const auto at = static_cast<std::size_t>(node);
     std::array<float, stencil> row{};

@@ -21,7 +21,7 @@ std::int32_t even_cells(double limit) {
 
 /// kappa, m^2: sum w_ij (x_i - x_j)^2 / (D sum w_ij), from some of the rows.
 double mean_square_component(const PoissonSystem& system) {
-  const std::size_t stride = system.size() / 1000 + 1;
+  const std::size_t stride = system.size() / 200 + 1;
   double weights = 0.0;
   double moment = 0.0;
   for (std::size_t i = 0; i < system.size(); i += stride) {
@@ -113,17 +113,22 @@ void GridPreconditioner<D>::sort_into_cells(const PoissonSystem& system) {
   cell_of_.resize(n);
   place_.resize(n);
   cell_start_.assign(1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    typename GridIndex<D>::Coordinate c{};
+  coordinate_.resize(n);
+  const auto count = static_cast<std::int32_t>(n);
+#pragma omp parallel for schedule(static)
+  for (std::int32_t k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
     for (std::size_t a = 0; a < D; ++a) {
       const double x = system.x[a][i] / width_[a];
       const double cell = std::floor(x);
       place_[i][a] = static_cast<float>(x - cell);
       const double inside = std::fmod(cell - static_cast<double>(origin_[a]),
                                       static_cast<double>(cells_.extent()[a]));
-      c[a] = static_cast<std::int32_t>(inside);
+      coordinate_[i][a] = static_cast<std::int32_t>(inside);
     }
-    const std::int32_t cell = cells_.add(c);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int32_t cell = cells_.add(coordinate_[i]);
     cell_of_[i] = cell;
     if (static_cast<std::size_t>(cell) + 2 > cell_start_.size()) cell_start_.push_back(0);
     ++cell_start_[static_cast<std::size_t>(cell) + 1];

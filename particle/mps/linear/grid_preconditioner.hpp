@@ -47,9 +47,10 @@ class GridPreconditioner {
   std::array<double, D> width_{};         // m
   std::array<std::int64_t, D> origin_{};  // lowest cell in use, counted from x = 0
   GridIndex<D> cells_;
-  AlignedVector<std::int32_t> cell_of_;        // [particle]
-  AlignedVector<std::array<float, D>> place_;  // [particle] in its cell, 0 to 1
-  AlignedVector<std::int32_t> cell_start_;     // cell -> range in cell_particle_
+  AlignedVector<std::int32_t> cell_of_;                        // [particle]
+  AlignedVector<std::array<float, D>> place_;                  // [particle] in its cell, 0 to 1
+  std::vector<typename GridIndex<D>::Coordinate> coordinate_;  ///< of each particle\'s cell
+  AlignedVector<std::int32_t> cell_start_;                     // cell -> range in cell_particle_
   AlignedVector<std::int32_t> cell_particle_;
   AlignedVector<std::int32_t> cell_node_;  // [cell][corner]
   AlignedVector<std::int32_t> node_cell_;  // [node][corner]: the cell that has it there, or -1
