@@ -59,7 +59,7 @@ class NeighbourList {
     }
     range_.assign(n, Range{0, 0, 0});
     chunk_.resize(std::max(chunk_.size(), static_cast<std::size_t>(omp_get_max_threads())));
-    for (auto& chunk : chunk_) chunk.clear();
+    for (auto& chunk : chunk_) chunk.entry.clear();
 
     std::array<const double*, D + 1> fields;
     for (int a = 0; a < D; ++a) fields[a] = x[a].data();
@@ -74,10 +74,14 @@ class NeighbourList {
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t i) const {
     const Range& r = range_[i];
-    return {chunk_[r.thread].data() + r.begin, r.count};
+    return {chunk_[r.thread].entry.data() + r.begin, r.count};
   }
 
  private:
+  /// On cache lines of its own: a thread changes its size with every particle.
+  struct alignas(128) Chunk {
+    std::vector<std::uint32_t> entry;
+  };
   struct Range {
     std::size_t begin;
     std::uint32_t count;
@@ -87,7 +91,7 @@ class NeighbourList {
   void list_neighbours(std::size_t i, const std::array<Field, D>& x, double radius2,
                        const Tile<D + 1>& tile) {
     const auto thread = static_cast<std::uint32_t>(omp_get_thread_num());
-    auto& chunk = chunk_[thread];
+    auto& chunk = chunk_[thread].entry;
     const std::size_t begin = chunk.size();
     chunk.resize(begin + tile.count);
     std::uint32_t* out = chunk.data() + begin;
@@ -108,7 +112,7 @@ class NeighbourList {
 
   Field number_;  ///< 0, 1, 2, ...: travels with the positions through the tiles
   std::vector<Range> range_;
-  std::vector<std::vector<std::uint32_t>> chunk_;  ///< one per thread
+  std::vector<Chunk> chunk_;  ///< one per thread
   std::vector<TileBuffer<D, D + 1>> buffers_;
 };
 
