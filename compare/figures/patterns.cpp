@@ -120,10 +120,9 @@ Figure pattern_figure(const StudyResult& study) {
                     : "set format x \"\"\nunset xlabel\n");
   };
   place(0.98, 0.715, false);
-  script
-      << "set ylabel \"overlap with the reference\"\nset yrange [0:1]\nset key bottom right Left "
-         "reverse\n"
-      << panel(study, 4, 0, 0, false, true, 1.0);
+  script << "set ylabel \"overlap with the reference\"\nset yrange [0:1]\nset key bottom left Left "
+            "reverse\n"
+         << panel(study, 4, 0, 0, false, true, 1.0);
   place(0.675, 0.41, false);
   script << "set ylabel \"detached water, %\"\nset yrange [0:"
          << plot_number(std::ceil(150.0 * largest(rows, 4, 0.01))) << "]\nunset key\n"

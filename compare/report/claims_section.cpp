@@ -36,39 +36,24 @@ std::string claims_table(const Page& page) {
          "</div>";
 }
 
-std::string pattern_table(const Page& page) {
-  std::vector<std::vector<std::string>> rows;
-  for (const auto& [name, entry] : page.values.at("/patterns").items()) {
-    const std::string at = key({"patterns", name});
-    const auto usual = at + "/detached/" + std::to_string(usual_cohesion);
-    const bool particles = page.values.has(at + "/smallest_distance_over_l0");
-    rows.push_back(
-        {page.values.text(at + "/label"), page.values.number(at + "/overlap/before_mean", 3),
-         page.values.number(at + "/overlap/after_mean", 3),
-         page.values.number(usual + "/pieces_mean", 1), page.values.number(usual + "/part_mean", 4),
-         page.values.number(usual + "/part_maximum", 4),
-         page.values.number(usual + "/blurred_mean", 4),
-         particles ? page.values.number(at + "/smallest_distance_over_l0/minimum", 3) : "–",
-         particles ? page.values.number(at + "/smallest_distance_over_l0/median", 3) : "–"});
-  }
-  return html_table(
-      "Flow patterns; detached water and pieces are means after the impact",
-      {"Run", "Overlap before impact", "after", "Pieces", "Part detached", "at most",
-       "Part in cells too empty", "Smallest distance over spacing, ever", "median over time"},
-      rows);
-}
-
 }  // namespace
 
 void measure_claims(const StudyResult& study, json& metrics) {
-  measure_patterns(study, metrics);
   measure_runs_without_collisions(study, metrics);
+  measure_scaling(study, metrics);  // its section comes later on the page
   measure_cost(study, metrics);
   json& out = metrics["claims"] = json::array();
+  json& counts = metrics["claim_counts"];
+  counts = {{"judged", 0}, {"reproduced", 0}, {"not reproduced", 0}, {"depends", 0}};
   for (const Claim& claim : find_claims(study, metrics)) {
     json evidence = json::array();
     for (const auto& [what, value] : claim.evidence)
       evidence.push_back({{"what", what}, {"value", value}});
+    const std::string kind = claim.verdict.starts_with("depends") ? "depends" : claim.verdict;
+    if (counts.contains(kind)) {
+      for (const std::string& name : {std::string("judged"), kind})
+        counts[name] = counts[name].get<int>() + 1;
+    }
     out.push_back({{"id", claim.id},
                    {"statement", claim.statement},
                    {"place", claim.place},
@@ -80,7 +65,7 @@ void measure_claims(const StudyResult& study, json& metrics) {
 }
 
 std::string write_claims(const Page& page) {
-  return claims_table(page) + pattern_table(page);
+  return claims_table(page);
 }
 
 }  // namespace surge::compare

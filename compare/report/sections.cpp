@@ -2,17 +2,19 @@
 
 #include <array>
 
+#include "compare/report/claims.hpp"
 #include "compare/report/viewer.hpp"
 
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 10> sections{
+  static const std::array<Section, 11> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
-       {"figures", "Figures", measure_nothing, write_figures},
-       {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
+       {"figures", "Figures", measure_figures, write_figures},
+       {"flow", "Flow patterns and fragments", measure_patterns, write_patterns},
        {"claims", "The paper’s statements", measure_claims, write_claims},
+       {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
        {"experiments", "Published series", measure_nothing, write_experiments},
        {"deviations", "Where the runs depart from the paper", measure_deviations, write_deviations},
@@ -41,15 +43,6 @@ std::string figure_html(const Page& page, const std::string& name) {
     return html + "</figcaption>\n</figure>\n";
   }
   return "";
-}
-
-std::string write_figures(const Page& page) {
-  std::string html;
-  for (const Figure& figure : page.figures) {
-    // The summary shows Fig. 8 already.
-    if (figure.name != "fig8") html += figure_html(page, figure.name);
-  }
-  return html;
 }
 
 }  // namespace surge::compare

@@ -5,7 +5,9 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
+#include <map>
 #include <regex>
+#include <set>
 
 #include "compare/report/html.hpp"
 #include "compare/report/paper_settings.hpp"
@@ -112,6 +114,44 @@ TEST(Report, NoNumberStandsOutsideTheMetrics) {
   std::smatch found;
   EXPECT_FALSE(std::regex_search(page, found, std::regex("[^\\n]{0,40}[0-9][^\\n]{0,40}")))
       << found.str();
+}
+
+TEST(Report, SectionsComeInTheOrderOfThePaperAndShowEveryFigureOnce) {
+  const SyntheticStudy files;
+  const Written report = write(files);
+  std::size_t last = 0;
+  for (const char* id :
+       {"summary", "fig8", "viewer", "figures", "fig1", "fig2", "fig3", "fig4", "fig5", "fig6",
+        "fig7", "fig9", "flow", "patterns", "claims", "runs", "errata", "provenance"}) {
+    const std::string anchor = std::string(" id=\"") + id + "\"";
+    const auto at = report.page.find(anchor);
+    ASSERT_NE(at, std::string::npos) << id;
+    EXPECT_GT(at, last) << id;
+    EXPECT_EQ(report.page.find(anchor, at + 1), std::string::npos) << id;
+    last = at;
+  }
+  // Links within the page lead somewhere.
+  const std::regex link("<a href=\"#([^\"]+)\"");
+  for (std::sregex_iterator it(report.page.begin(), report.page.end(), link), end; it != end; ++it)
+    EXPECT_THAT(report.page, HasSubstr("id=\"" + (*it)[1].str() + "\""));
+  EXPECT_EQ(report.metrics["interaction"]["run"], "mps-a");
+  EXPECT_EQ(report.metrics["interaction"]["radii"][1]["neighbours"], 12);
+}
+
+TEST(Report, SummaryCountsTheVerdicts) {
+  const SyntheticStudy files;
+  const json metrics = write(files).metrics;
+  std::map<std::string, int> counts;
+  for (const json& claim : metrics["claims"]) {
+    const std::string verdict = claim["verdict"];
+    ++counts[verdict.starts_with("depends") ? "depends" : verdict];
+  }
+  const json& told = metrics["claim_counts"];
+  for (const char* kind : {"reproduced", "not reproduced", "depends"})
+    EXPECT_EQ(told[kind], counts[kind]) << kind;
+  EXPECT_EQ(told["judged"].get<int>() + counts["not measured"],
+            static_cast<int>(metrics["claims"].size()));
+  EXPECT_GT(told["judged"], 3);
 }
 
 TEST(Report, StatesWhatTheRunsWereMadeToShow) {
