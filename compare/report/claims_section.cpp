@@ -15,7 +15,7 @@ std::string evidence_cell(const Page& page, const std::string& claim) {
     html += (i ? "<br/>" : "") + page.values.text(at + "/what") + ": " +
             page.values.magnitude(at + "/value");
   }
-  return evidence.size() > 6
+  return evidence.size() > 4
              ? "<details><summary>" + page.values.integer(claim + "/evidence_count") +
                    " numbers</summary>" + html + "</details>"
              : html;

@@ -35,6 +35,7 @@ th:first-child, .words td, .words th { text-align: left; }
 tbody th { font-weight: 500; white-space: nowrap; }
 .words tbody th { white-space: normal; min-width: 10rem; }
 .words td { min-width: 5rem; }
+#claims td:nth-child(3) { min-width: 13rem; }
 .status-complete { color: #00664a; }
 .status-unfinished, .status-unusable, .status-missing { color: #b04a00; font-weight: 600; }
 code { font-size: .92em; overflow-wrap: anywhere; }

@@ -47,19 +47,20 @@ json closest(const json& metrics, const RunResult& run, const char* when) {
   return number_of(metrics, "patterns", run, std::string("/smallest_distance_over_l0/") + when);
 }
 
-/// Whether the runs in which nothing but the weight function keeps particles apart do so.
-bool stay_apart(const json& metrics, const Runs& alone, Claim& claim) {
-  bool all = true;
+/// What happens in the runs in which nothing but the weight function keeps particles apart; empty
+/// where they stay apart to the end.
+std::string without_collisions(const json& metrics, const Runs& alone, Claim& claim) {
+  std::string happens;
   for (const RunResult* run : alone) {
     const json ever = number_of(metrics, "without_collisions", *run, "/smallest_distance_over_l0");
     const json last = number_of(metrics, "without_collisions", *run, "/last_s");
     claim.evidence.push_back(
         {"smallest distance ever without collisions, " + run->study.name, ever});
     claim.evidence.push_back({"s simulated until its end, " + run->study.name, last});
-    all = all && run->status == RunStatus::complete && ever.is_number() &&
-          ever.get<double>() >= apart;
+    if (!ever.is_number() || ever.get<double>() < apart) return "without them they cluster";
+    if (run->status != RunStatus::complete) happens = "without them the run breaks up";
   }
-  return all;
+  return happens;
 }
 
 }  // namespace
@@ -170,13 +171,13 @@ Claim clustering_claim(const StudyResult& study, const json& metrics) {
       mps, sph, [&](const RunResult& run) { return closest(metrics, run, "median"); },
       [](double of_mps, double of_sph) { return of_mps > of_sph; });
   const Runs alone = runs_without_collisions(study);
-  const bool apart_alone = stay_apart(metrics, alone, claim);
+  const std::string happens = without_collisions(metrics, alone, claim);
   claim.verdict = verdict_of(count.met, count.all, "the formulation");
   if (claim.verdict != reproduced) return claim;
   if (alone.empty())
     claim.verdict = "depends on the collisions between particles: no run of this study is without";
-  else if (!apart_alone)
-    claim.verdict = "depends on the collisions between particles: without them they cluster";
+  else if (!happens.empty())
+    claim.verdict = "depends on the collisions between particles: " + happens;
   return claim;
 }
 

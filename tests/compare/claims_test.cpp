@@ -238,7 +238,7 @@ TEST_F(Verdicts, ClusteringIsJudgedWithoutCollisions) {
   measure();
   apart(0.5, 0.1);
   number("/without_collisions/alone/smallest_distance_over_l0") = 0.3;
-  EXPECT_THAT(of("no_clustering"), HasSubstr("without them they cluster"));
+  EXPECT_THAT(of("no_clustering"), HasSubstr("without them the run breaks up"));
 }
 
 TEST_F(Verdicts, LostParticlesAndEarlyEndsAreNotRobust) {
