@@ -38,9 +38,7 @@ StudyResult collect_study(const Arguments& arguments) {
                  arguments.series.empty() ? beside : fs::path(arguments.series));
 }
 
-void draw_and_say(const FigureDefinition& definition, const StudyResult& study,
-                  const fs::path& folder) {
-  const Figure figure = definition.make(study);
+void draw_and_say(const Figure& figure, const fs::path& folder) {
   const std::string warnings = draw(figure, folder);
   if (!warnings.empty()) {
     std::fprintf(stderr, "surge-compare: %s: %s", figure.name.c_str(), warnings.c_str());
@@ -65,7 +63,7 @@ void add_figures_command(CLI::App& app) {
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
     const StudyResult study = collect_study(*arguments);
-    for (const auto& definition : all_figures()) draw_and_say(definition, study, arguments->out);
+    for (const Figure& figure : figures_of(study)) draw_and_say(figure, arguments->out);
   });
 }
 
@@ -79,7 +77,10 @@ void add_figure_command(CLI::App& app) {
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
     const FigureDefinition& definition = find_figure(arguments->figure);
-    draw_and_say(definition, collect_study(*arguments), arguments->out);
+    const StudyResult study = collect_study(*arguments);
+    if (!study.has_reference())
+      throw Error(arguments->study + ": reference: found none, expected a study with one");
+    draw_and_say(definition.make(study), arguments->out);
   });
 }
 

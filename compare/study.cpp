@@ -66,14 +66,16 @@ class Collector {
 
   Study finished(const fs::path& file) {
     const TomlTable root = TomlTable::read(file);
-    for (const auto& [key, found] :
-         {std::pair{"title", title_.has_value()}, std::pair{"reference", reference_.has_value()},
-          std::pair{"strip_height", strip_height_.has_value()},
-          std::pair{"snapshot_times", snapshot_times_.has_value()}}) {
-      if (!found) throw root.error(key, "nothing", "an entry here or in an included study");
-    }
     if (study_.runs.empty()) throw root.error("run", "no run", "at least one [[run]]");
+    require(root, "title", title_.has_value());
     study_.title = *title_;
+    // Exact answers need no reference run.
+    if (std::all_of(study_.runs.begin(), study_.runs.end(),
+                    [](const StudyRun& run) { return run.role == Role::verification; }))
+      return std::move(study_);
+    require(root, "reference", reference_.has_value());
+    require(root, "strip_height", strip_height_.has_value());
+    require(root, "snapshot_times", snapshot_times_.has_value());
     study_.reference = *reference_;
     study_.strip_height = *strip_height_;
     study_.snapshot_times = *snapshot_times_;
@@ -89,6 +91,10 @@ class Collector {
   }
 
  private:
+  static void require(const TomlTable& root, const char* key, bool found) {
+    if (!found) throw root.error(key, "nothing", "an entry here or in an included study");
+  }
+
   void read_head(const TomlTable& root) {
     if (root.has("title")) keep(title_, root.text("title"));
     if (root.has("reference")) {

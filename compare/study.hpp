@@ -37,7 +37,8 @@ struct StudyRun {
 /// compare/studies/*.toml
 struct Study {
   std::string title;
-  std::string reference;  ///< name of the run that the others are measured against
+  /// Name of the run that the others are measured against; empty where all runs are verification.
+  std::string reference;
   Metres strip_height;
   std::vector<Seconds> snapshot_times;
   std::vector<std::string> published;  ///< compare/reference/<name>.csv
@@ -46,7 +47,8 @@ struct Study {
   std::vector<StudyRun> runs;
 };
 
-/// Reads a study and all that it includes. A head entry that the study does not have (title,
+/// Reads a study and all that it includes. One whose runs are all of role verification needs no
+/// more than a title. A head entry that the study does not have (title,
 /// reference, strip_height, snapshot_times, published) is that of the first included file that has
 /// it. Throws surge::Error with file:line for unknown, missing or impossible values, and where two
 /// runs of one name compute different things.

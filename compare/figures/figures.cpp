@@ -30,6 +30,14 @@ std::string known_figures() {
   return known;
 }
 
+std::vector<Figure> figures_of(const StudyResult& study) {
+  std::vector<Figure> figures;
+  if (study.has_reference())
+    for (const auto& definition : all_figures()) figures.push_back(definition.make(study));
+  for (Figure& figure : verification_figures(study)) figures.push_back(std::move(figure));
+  return figures;
+}
+
 const FigureDefinition& find_figure(const std::string& name) {
   const auto figures = all_figures();
   const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {

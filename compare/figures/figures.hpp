@@ -33,6 +33,9 @@ namespace surge::compare {
 /// Fig. 9: solving time over the number of fluid particles, from the study's timed runs.
 [[nodiscard]] Figure cost_figure(const StudyResult& study);
 
+/// A figure for each flow with a known answer of which the study has runs.
+[[nodiscard]] std::vector<Figure> verification_figures(const StudyResult& study);
+
 /// One entry of the catalogue.
 struct FigureDefinition {
   std::string name;  ///< "fig8"; its files', and `surge-compare figure 8` finds it
@@ -42,6 +45,9 @@ struct FigureDefinition {
 
 /// All figures in the order of the paper.
 [[nodiscard]] std::span<const FigureDefinition> all_figures();
+
+/// Those of the paper where the study has a reference run, and those of the known flows.
+[[nodiscard]] std::vector<Figure> figures_of(const StudyResult& study);
 
 /// "fig1 (weight), fig2 (interaction), ...": what find_figure() understands.
 [[nodiscard]] std::string known_figures();

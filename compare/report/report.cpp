@@ -26,6 +26,7 @@ void write_text(const fs::path& file, const std::string& text) {
 std::string body_of(const Page& page) {
   std::string links, sections;
   for (const Section& section : report_sections()) {
+    if (section.needs_reference && !page.study.has_reference()) continue;
     const std::string written = section.write(page);
     if (written.empty()) continue;
     sections += "<section id=\"" + section.id + "\">\n";
@@ -44,8 +45,11 @@ std::string body_of(const Page& page) {
 json report_metrics(const StudyResult& study) {
   MetricsOptions options;
   options.front = study.front_options();
-  json out = metrics(study.measured_runs, study.study.reference, study.published, options);
-  for (const Section& section : report_sections()) section.measure(study, out);
+  json out{{"study", {{"title", study.study.title}}}};
+  if (study.has_reference())
+    out = metrics(study.measured_runs, study.study.reference, study.published, options);
+  for (const Section& section : report_sections())
+    if (!section.needs_reference || study.has_reference()) section.measure(study, out);
   return out;
 }
 
@@ -53,11 +57,10 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
   const json numbers = report_metrics(study);
   const fs::path folder = out / "figures";
   fs::create_directories(folder);
-  std::vector<Figure> figures;
-  for (const auto& definition : all_figures()) {
-    figures.push_back(definition.make(study));
-    const std::string said = draw(figures.back(), folder);
-    if (!said.empty()) warnings += definition.name + ": " + said;
+  const std::vector<Figure> figures = figures_of(study);
+  for (const Figure& figure : figures) {
+    const std::string said = draw(figure, folder);
+    if (!said.empty()) warnings += figure.name + ": " + said;
   }
   const Page page{study, Values(numbers), figures, folder};
   write_text(out / "metrics.json", numbers.dump(1) + "\n");
@@ -65,7 +68,26 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
   return numbers;
 }
 
+namespace {
+
+/// The error of each run of a flow with a known answer.
+std::string verification_table(const StudyResult& study) {
+  std::ostringstream out;
+  for (const RunResult* run : study.runs_of(Role::verification)) {
+    const auto found = study.flows.find({run->study.group, run->study.name});
+    out << std::left << std::setw(30) << run->study.name << std::setw(11)
+        << status_text(run->status);
+    if (found != study.flows.end()) out << "error " << fixed_text(found->second.error, 5);
+    if (!run->note.empty()) out << run->note;
+    out << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace
+
 std::string summary_table(const StudyResult& study, const json& metrics) {
+  if (!study.has_reference()) return verification_table(study);
   const std::string against = metrics["summary"]["against"];
   std::ostringstream out;
   const auto cell = [&](const json& entry, const std::string& name, int width, int decimals) {

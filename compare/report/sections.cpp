@@ -8,18 +8,20 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 11> sections{
+  static const std::array<Section, 12> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_figures, write_figures},
        {"flow", "Flow patterns and fragments", measure_patterns, write_patterns},
        {"claims", "The paper’s statements", measure_claims, write_claims},
        {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
+       {"verification", "Flows with a known answer", measure_verification, write_verification,
+        false},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},
        {"experiments", "Published series", measure_nothing, write_experiments},
        {"deviations", "Where the runs depart from the paper", measure_deviations, write_deviations},
        {"errata", "Where the paper errs", measure_errata, write_errata},
-       {"provenance", "Provenance", measure_provenance, write_provenance}}};
+       {"provenance", "Provenance", measure_provenance, write_provenance, false}}};
   return sections;
 }
 

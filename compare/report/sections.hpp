@@ -28,6 +28,7 @@ struct Section {
   std::string title;  ///< heading; empty for the summary, which stands under the page's own
   void (*measure)(const StudyResult& study, nlohmann::json& metrics);
   std::string (*write)(const Page& page);
+  bool needs_reference = true;  ///< left out of a study that has no reference run
 };
 
 /// All sections in the order of the page.
@@ -47,6 +48,8 @@ void measure_claims(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_claims(const Page& page);
 void measure_scaling(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_scaling(const Page& page);
+void measure_verification(const StudyResult& study, nlohmann::json& metrics);
+[[nodiscard]] std::string write_verification(const Page& page);
 void measure_errata(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_errata(const Page& page);
 void measure_deviations(const StudyResult& study, nlohmann::json& metrics);

@@ -198,6 +198,21 @@ const PatternHistory& StudyResult::pattern(const RunResult& run) const {
   return patterns_[run.study.name] = measure_pattern(run.measured->run, reference_run().run);
 }
 
+namespace {
+
+void measure_known_flow(StudyResult& study, RunResult& entry) {
+  if (entry.study.role != Role::verification || entry.status != RunStatus::complete) return;
+  try {
+    study.flows.emplace(std::pair{entry.study.group, entry.study.name},
+                        measure_flow(entry.study.group, entry.folder, entry.manifest));
+  } catch (const Error& error) {
+    entry.status = RunStatus::unusable;
+    entry.note = error.what();
+  }
+}
+
+}  // namespace
+
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
   StudyResult result;
   result.study = study;
@@ -208,13 +223,14 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
   // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
   result.measured_others.reserve(study.runs.size());
-  const MeasuredRun& reference =
-      result.measured_runs.emplace_back(measure_reference(study, runs / study.reference, options));
+  if (result.has_reference())
+    result.measured_runs.push_back(measure_reference(study, runs / study.reference, options));
   for (const auto& run : study.runs) {
     RunResult entry = find_run(run, runs / run.name);
     const bool story = run.role == Role::comparison;
     auto& fronts = story ? result.measured_runs : result.measured_others;
     if (has_front(run.role)) {
+      const MeasuredRun& reference = result.measured_runs.front();
       if (story && run.name == study.reference) {
         take_front(entry, reference);
       } else if (const RunResult* known = twin(result, entry); known && known->measured && !story) {
@@ -223,6 +239,7 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
         take_front(entry, fronts.emplace_back(std::move(*measured)));
       }
     }
+    measure_known_flow(result, entry);
     (story ? result.runs : result.others).push_back(std::move(entry));
   }
   return result;

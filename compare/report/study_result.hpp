@@ -10,6 +10,7 @@
 #include "compare/metrics.hpp"
 #include "compare/series.hpp"
 #include "compare/study.hpp"
+#include "compare/verification/flows.hpp"
 
 namespace surge::compare {
 
@@ -45,11 +46,15 @@ struct StudyResult {
   std::vector<PublishedSeries> published;
   std::vector<RunResult> others;             ///< those of all other roles
   std::vector<MeasuredRun> measured_others;  ///< of the roles sensitivity and convergence
+  /// Complete runs of role verification, by group and name.
+  std::map<std::pair<std::string, std::string>, FlowResult> flows;
 
   /// In the study's order, none left out, be they missing or not.
   [[nodiscard]] std::vector<const RunResult*> runs_of(Role role) const;
 
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
+  /// Without one there is nothing but exact answers to compare with.
+  [[nodiscard]] bool has_reference() const { return !study.reference.empty(); }
   [[nodiscard]] const RunResult& reference() const;
   [[nodiscard]] const MeasuredRun& reference_run() const { return *reference().measured; }
   /// Runs of role comparison that have a front, in the study's order.

@@ -1,35 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
+#include "compare/verification/exact.hpp"
 #include "particle/io/case_file.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
 
 namespace surge {
 namespace {
-
-/// Speed (m/s) of particle/cases/poiseuille.toml: steady parabola less its Fourier series decaying
-/// (Morris, Fox & Zhu 1997, J. Comput. Phys. 136, Eq. 21).
-double exact_speed(double y, double t) {
-  constexpr double pi = std::numbers::pi;
-  constexpr double force = 0.8;
-  constexpr double nu = 0.1;
-  double u = 0.5 * force / nu * y * (1.0 - y);
-  for (int m = 1; m < 60; m += 2)
-    u -= 4.0 * force / (nu * std::pow(pi * m, 3)) * std::sin(pi * m * y) *
-         std::exp(-m * m * pi * pi * nu * t);
-  return u;
-}
-
-TEST(ExactPoiseuille, StartsAtRestAndEndsAsTheParabola) {
-  EXPECT_NEAR(exact_speed(0.3, 0.0), 0.0, 2e-5);
-  EXPECT_NEAR(exact_speed(0.5, 100.0), 0.8 / (8.0 * 0.1), 1e-12);
-  // At first the fluid away from the walls is in free fall.
-  EXPECT_NEAR(exact_speed(0.5, 0.02), 0.8 * 0.02, 1e-6);
-}
 
 /// RMS over the fluid of the error of the velocity at the end, over the steady speed in the middle.
 template <class S>
@@ -45,7 +25,9 @@ double error_of(const std::string& method, const std::string& preset, const std:
   double n = 0.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.type[i] != ParticleType::fluid) continue;
-    sum += std::pow(p.v[0][i] - exact_speed(p.x[1][i], solver.time()), 2) + std::pow(p.v[1][i], 2);
+    sum +=
+        std::pow(p.v[0][i] - compare::channel_speed(0.8, 0.1, 1.0, p.x[1][i], solver.time()), 2) +
+        std::pow(p.v[1][i], 2);
     n += 1.0;
   }
   EXPECT_EQ(n, 400.0);
