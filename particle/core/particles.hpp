@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace surge {
@@ -11,7 +13,9 @@ namespace surge {
 template <int D>
 using Vec = std::array<double, D>;
 
-/// Allocator of cache-line-aligned memory, so that vector loads never straddle lines.
+/// Allocator of cache-line-aligned memory, so that vector loads never straddle lines. resize(n)
+/// leaves new numbers as they are: the loop that writes them first, by all threads, decides in
+/// whose memory they lie. resize(n, value) and assign() set them.
 template <class T>
 struct AlignedAllocator {
   using value_type = T;
@@ -22,6 +26,14 @@ struct AlignedAllocator {
   AlignedAllocator(const AlignedAllocator<U>&) noexcept {}
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, alignment); }
+  template <class U>
+  void construct(U* p) noexcept(std::is_nothrow_default_constructible_v<U>) {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
+  }
   template <class U>
   bool operator==(const AlignedAllocator<U>&) const noexcept {
     return true;
@@ -62,15 +74,16 @@ struct Particles {
     return u;
   }
 
+  /// New particles are fluid at rest in the origin.
   void resize(std::size_t n) {
     for (int a = 0; a < D; ++a) {
-      x[a].resize(n);
-      v[a].resize(n);
+      x[a].resize(n, 0.0);
+      v[a].resize(n, 0.0);
     }
-    pressure.resize(n);
-    density.resize(n);
-    type.resize(n);
-    id.resize(n);
+    pressure.resize(n, 0.0);
+    density.resize(n, 0.0);
+    type.resize(n, ParticleType::fluid);
+    id.resize(n, 0);
   }
 };
 

@@ -152,7 +152,7 @@ TEST(SymmetricPairs, LeaveOutCellsWithoutANeededParticle) {
       if (needed(i)) return true;
     return false;
   };
-  Field count(x[0].size());
+  Field count(x[0].size(), 0.0);
   SymmetricPairLoop<2, 2, 1> loop;
   loop(grid, {x[0].data(), x[1].data()}, {count.data()}, needed, any,
        [](const auto& i, const auto& j) {

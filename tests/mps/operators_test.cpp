@@ -267,10 +267,10 @@ TEST(ConservingGradient, SumsToZeroOnAnyParticles) {
   const Lattice<2> lattice = jittered<2>((re + 0.6) * l0);
   const Displacement<2> displacement(lattice.x, {});
   const std::size_t n = lattice.x[0].size();
-  Field p(n);
+  Field p(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) p[i] = 100.0 + 90.0 * std::sin(static_cast<double>(7 * i));
   const auto phi = [&](std::size_t j) { return p[j]; };
-  Field least(n);
+  Field least(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
     least[i] =
         neighbourhood_minimum<2>(i, lattice.list.of(i), displacement, re * l0, phi, everyone);

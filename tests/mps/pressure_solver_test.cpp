@@ -22,7 +22,7 @@ using testing::LatticeSystem;
 Field noise(std::size_t n, unsigned seed = 3) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  Field field(n);
+  Field field(n, 0.0);
   for (double& value : field) value = uniform(random);
   return field;
 }
