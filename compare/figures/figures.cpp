@@ -8,7 +8,7 @@
 namespace surge::compare {
 
 std::span<const FigureDefinition> all_figures() {
-  static const std::array<FigureDefinition, 11> figures{
+  static const std::array<FigureDefinition, 14> figures{
       {{"fig1", "weight", weight_figure},
        {"fig2", "interaction", interaction_figure},
        {"fig3", "mps_algorithm", mps_algorithm_figure},
@@ -19,7 +19,10 @@ std::span<const FigureDefinition> all_figures() {
        {"patterns", "overlap", pattern_figure},
        {"fig8", "leading_edge", leading_edge_figure},
        {"fig8_shifted", "leading_edge_shifted", shifted_leading_edge_figure},
-       {"fig9", "cost", cost_figure}}};
+       {"fig9", "cost", cost_figure},
+       {"sensitivity_mps", "mps", mps_sensitivity_figure},
+       {"sensitivity_sph", "sph", sph_sensitivity_figure},
+       {"sensitivity_vof", "vof", vof_sensitivity_figure}}};
   return figures;
 }
 

@@ -35,6 +35,11 @@ namespace surge::compare {
 
 /// A figure for each flow with a known answer of which the study has runs.
 [[nodiscard]] std::vector<Figure> verification_figures(const StudyResult& study);
+/// What the choices that the paper leaves open do to the front and the cost of a method, from the
+/// study's runs of role sensitivity.
+[[nodiscard]] Figure mps_sensitivity_figure(const StudyResult& study);
+[[nodiscard]] Figure sph_sensitivity_figure(const StudyResult& study);
+[[nodiscard]] Figure vof_sensitivity_figure(const StudyResult& study);
 
 /// One entry of the catalogue.
 struct FigureDefinition {

@@ -8,13 +8,14 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 12> sections{
+  static const std::array<Section, 13> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_figures, write_figures},
        {"flow", "Flow patterns and fragments", measure_patterns, write_patterns},
        {"claims", "The paper’s statements", measure_claims, write_claims},
        {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
+       {"sensitivity", "What the paper leaves open", measure_sensitivity, write_sensitivity},
        {"verification", "Flows with a known answer", measure_verification, write_verification,
         false},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},

@@ -50,6 +50,7 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
   j["finished"] = record.finished;
   j["stopped"] = record.stopped;
   j["wall_s"] = wall_json(record);
+  j["cpu_s"] = record.cpu;
   j["output_thread_s"] = record.output_thread;
   j["steps"] = record.steps;
   j["frames"] = record.frames;

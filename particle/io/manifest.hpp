@@ -18,6 +18,7 @@ struct RunRecord {
   int threads = 1;
   double wall_total = 0.0;                        ///< s
   std::array<double, phase_names.size()> wall{};  ///< s per Phase
+  double cpu = 0.0;            ///< s of all threads, what the operating system did included
   double output_thread = 0.0;  ///< s that the thread that writes frames worked beside the solver
   long steps = 0;
   long frames = 0;

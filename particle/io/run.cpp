@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "particle/io/case_file.hpp"
@@ -20,6 +21,11 @@ using WallClock = std::chrono::steady_clock;
 
 double seconds_since(WallClock::time_point start) {
   return std::chrono::duration<double>(WallClock::now() - start).count();
+}
+
+/// CPU seconds of this process, all threads together.
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// Calls f.operator()<Solver, D>() for the case's method and dimension.
@@ -104,7 +110,8 @@ class Run {
          << " particles lost: " << (folder_ / "particles.pvd").string() << std::endl;
   }
 
-  void write_manifest() const {
+  void write_manifest() {
+    record_.cpu = cpu_seconds() - cpu_start_;
     write_file(folder_ / "manifest.json", manifest_text(record_, case_));
   }
 
@@ -114,6 +121,7 @@ class Run {
   std::ostream& out_;
   RunRecord record_;
   WallClock::time_point start_ = WallClock::now();
+  double cpu_start_ = cpu_seconds();
 };
 
 }  // namespace

@@ -251,60 +251,6 @@ TEST_F(Verdicts, LostParticlesAndEarlyEndsAreNotRobust) {
   EXPECT_EQ(of("large_deformation"), "not reproduced");
 }
 
-TEST(Scaling, FitsTheTimedRunsAndKeepsThemOutOfEverythingElse) {
-  const SyntheticStudy files;
-  std::string study = read_text(files.study());
-  for (const int n : {10, 20, 40, 80}) {
-    const std::string name = "time-" + std::to_string(n);
-    study +=
-        "[[run]]\nname = \"" + name +
-        "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nrole = \"timing\"\nrepeats = 3\n";
-    for (const char* repeat : {"", "-repeat2", "-repeat3"}) {
-      json manifest = testing::dam_break_manifest();
-      const double all = 2.0 * n * n;
-      // A square law; one of the three repeats was disturbed.
-      const double ms = 1e-4 * all * all * (std::string(repeat) == "-repeat2" ? 5.0 : 1.0);
-      manifest["fluid_particles"] = n * n;
-      manifest["wall_particles"] = n * n;
-      manifest["steps"] = 50;
-      manifest["simulated_s"] = 0.05;
-      manifest["case"]["spacing"] = 0.2 / n;
-      manifest["case"]["method"] = {{"name", "mps"}, {"preset", "paper"}};
-      manifest["case"]["search"] = {{"neighbours", "all_pairs"}};
-      manifest["wall_s"] = {
-          {"total", 0.05 * ms + 3.0}, {"setup", 1.0},           {"output", 2.0},
-          {"neighbours", 0.04 * ms},  {"pressure", 0.005 * ms}, {"forces", 0.005 * ms}};
-      testing::write_text(files.runs() / (name + repeat) / "manifest.json", manifest.dump());
-    }
-  }
-  testing::write_text(files.study(), study);
-  const json metrics = report_metrics(files.collected());
-  const json& curve = metrics["scaling"]["mps paper all_pairs"];
-  ASSERT_EQ(curve["points"].size(), 4U);
-  EXPECT_EQ(curve["points"][0]["repeats"], 3);
-  EXPECT_NEAR(curve["points"][0]["ms_per_step"], 1e-4 * 200.0 * 200.0, 1e-9);
-  EXPECT_NEAR(curve["fit_per_step"]["exponent"], 2.0, 1e-6);
-  EXPECT_NEAR(curve["points"][1]["share"]["neighbours"], 0.8, 1e-6);
-  EXPECT_TRUE(curve["points"][0]["extrapolated"]);
-  // mps-a: 1200 steps at 5 mm for one second.
-  EXPECT_NEAR(curve["points"][1]["total_s"], 1e-3 * 64.0 * 1200 * 0.005 / 0.01, 1e-6);
-  EXPECT_EQ(claim(metrics, "grows_quadratically")["verdict"], "not measured") << "no SPH";
-  EXPECT_FALSE(metrics["runs"].contains("time-10"));
-  EXPECT_FALSE(metrics["front"].contains("time-10"));
-  EXPECT_EQ(metrics["summary"]["asked"], 3);
-}
-
-TEST(Scaling, UnfinishedTimedRunsDoNotCount) {
-  const SyntheticStudy files;
-  std::string study = read_text(files.study());
-  study +=
-      "[[run]]\nname = \"time-1\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n"
-      "role = \"timing\"\n";
-  testing::write_text(files.study(), study);
-  testing::write_text(files.runs() / "time-1/manifest.json", "{\"finished\": false}");
-  EXPECT_TRUE(report_metrics(files.collected())["scaling"].empty());
-}
-
 TEST(Errata, EachIsHeldByATestThatExists) {
   for (const Erratum& erratum : errata()) {
     const std::string source = read_text(std::string(SURGE_SOURCE_DIR) + "/" + erratum.test_file);

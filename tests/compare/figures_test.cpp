@@ -137,7 +137,9 @@ TEST(Figures, AllAreDrawnWithTheirLabelsAndData) {
     expect_drawn(files.out(), figure.name);
     for (const auto& table : figure.tables)
       EXPECT_FALSE(table.rows.empty() && table.name != "fig7_surface");
-    EXPECT_FALSE(figure.tables.empty() && figure.name != "fig9") << figure.name;
+    EXPECT_FALSE(figure.tables.empty() && figure.name != "fig9" &&
+                 !figure.name.starts_with("sensitivity_"))
+        << figure.name;
   }
   const std::string fig8 = read_text(files.out() / "fig8.svg");
   EXPECT_THAT(fig8, HasSubstr("MPS paper, l0 = 5 mm"));
@@ -230,7 +232,8 @@ TEST(Figures, WeightAndKernelAreWhatTheRunsSay) {
 
 TEST(Figures, InteractionDomainCountsTheNeighboursOfARealFrame) {
   const SyntheticStudy files;
-  const auto found = find_interaction(files.collected());
+  const StudyResult study = files.collected();  // what is found points into it
+  const auto found = find_interaction(study);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->run->study.name, "mps-a");
   EXPECT_NEAR(found->time.value(), 0.15, 1e-12);  // the study's second snapshot
@@ -238,7 +241,7 @@ TEST(Figures, InteractionDomainCountsTheNeighboursOfARealFrame) {
   EXPECT_NEAR(found->radii_over_l0[0], 3.9, 1e-12);
   // Points of a square lattice other than the origin with x^2 + y^2 < 3.9^2 and < 2.1^2.
   EXPECT_EQ(found->neighbours, (std::vector<std::size_t>{44, 12}));
-  const Figure figure = interaction_figure(files.collected());
+  const Figure figure = interaction_figure(study);
   EXPECT_THAT(figure.caption, HasSubstr("2.1 l0 (12 neighbours) and 3.9 l0 (44 neighbours)"));
   std::array<std::size_t, 3> rings{};
   for (const auto& row : figure.tables.at(0).rows) {

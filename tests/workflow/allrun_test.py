@@ -17,7 +17,20 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parents[2]
 
 PARTICLE = """#!/bin/bash
+# surge-particle check CASE [--set KEY=VALUE]...
+if [[ $1 == check ]]; then
+  echo "  particles   1000 fluid, 500 wall"
+  echo "  steps       about 60000, the first 0.001 s"
+  exit
+fi
 # surge-particle run CASE --out DIR --threads N [--set KEY=VALUE]...
+if [[ $* == *calibration-* ]]; then # a microsecond for a step of a particle
+  [[ ! -e broken_machine ]] || exit 1
+  mkdir "$6"
+  echo '{"wall_s": {"total": 1.2, "setup": 0.1, "output": 0.1}, "steps": 1000, "fluid_particles": 1000}' \\
+    >"$6/manifest.json"
+  exit
+fi
 echo "start $*" >>calls
 case $* in
   *behave=fail*) echo "case.toml:3: spacing: found 7, expected a divisor"; exit 1 ;;
@@ -89,7 +102,7 @@ class Project(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.root, ignore_errors=True)
         shutil.copy(SOURCE / "Allrun", self.root)
         shutil.copytree(SOURCE / ".ci", self.root / ".ci")
-        for name in ("Snakefile", "study.py", "work.py"):
+        for name in ("Snakefile", "estimate.py", "study.py", "work.py"):
             self.write(f"compare/studies/{name}", (SOURCE / "compare/studies" / name).read_text())
         self.write("compare/reference/measured.csv", "T,Z_over_L\n")
         self.write("particle/cases/case.toml", CASE)
@@ -249,6 +262,65 @@ class Repetition(Project):
         self.assertRegex(done.stdout, r"first +keep +up to date")
         self.assertRegex(done.stdout, r"second +run +changed: overrides\n")
         self.assertEqual(self.calls(), [])
+
+
+class Estimate(Project):
+    def estimated(self, *options):
+        done = self.allrun("--dry-run", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return [line for line in done.stdout.splitlines() if line.startswith("estimate: ")]
+
+    def setUp(self):
+        super().setUp()
+        # Each particle run: 1000 particles, 60000 steps, a microsecond each: a minute. ICCG grows a
+        # little with their number; 0.3 s to start.
+        self.write("foam_cases/tank/system/caseParameters",
+                   "FoamFile { version 2.0; format ascii; class dictionary; object caseParameters; }\n"
+                   "cellsPerL 20;\nendTime 1;\nmaxCo 0.5;\nwall slip;\n")
+        self.write("particle/cases/case.toml",
+                   CASE + "[resolution]\nspacing = 5e-4\n[time]\nend = 1.0\ncourant = 0.2\n")
+        preset = "[mps]\nbeta = 0.97\nppe_solver = \"iccg\"\n"
+        self.write("particle/cases/presets/mps-paper.toml", preset)
+
+    def test_new_runs_are_estimated_by_a_calibration(self):
+        # 2 x 63 s; 36 x 49 cells, 420 steps: half a second, two to start; 21 s for the report
+        expected = r"estimate: about [23] min on 1 core \(0 of 3 runs as long as last time, the others by"
+        self.assertRegex(self.estimated("--jobs", "1")[0], expected)
+        self.assertEqual(self.calls(), [])
+
+    def test_runs_beside_each_other_share_the_cores(self):
+        text = STUDY.replace("[[run]]", "[[run]]\ntimed = false")
+        self.study(text)
+        self.assertIn("about 90 s on 2 cores", self.estimated("--jobs", "2")[0])
+
+    def test_what_was_made_before_is_expected_to_take_as_long(self):
+        self.succeed(ran=ALL)
+        self.assertEqual(self.estimated(), [])
+        for name in ("first", "second", "vof"):
+            stamp = next((self.root / "runs" / name).glob(".finished-*"))
+            manifest = self.root / "runs" / name / "manifest.json"
+            manifest.write_text('{"finished": true, "wall_s": {"total": 1800}}')
+            os.utime(stamp)
+        self.write("build/release/particle/main.cpp.o", "another step")
+        self.assertRegex(self.estimated()[0], "about 60 min on .* \\(2 of 2 runs as long as last time")
+        self.study(second='"title=another"')
+        self.assertRegex(self.estimated()[0], "about 31 min on .* \\(1 of 2 runs as long as last time")
+
+    def test_a_short_fall_from_rest_takes_fewer_steps(self):
+        # A tenth of a second of what is told as 60000 steps of 60 m/s: never as fast as that.
+        self.study(STUDY.replace('"first"\n', '"first"\nset = ["time.end=0.1"]\n'),
+                   second='"time.end=0.1"')
+        self.assertRegex(self.estimated("--jobs", "1")[0], "about 30 s on 1 core")
+
+    def test_without_programs_nothing_is_claimed(self):
+        self.write("broken_machine", "")
+        self.assertEqual(self.estimated(), ["estimate: not possible before the programs are built"])
+
+    def test_each_run_tells_what_is_left(self):
+        done = self.succeed("--jobs", "1", ran=ALL)
+        finished = [line for line in done.stdout.splitlines() if ": finished in " in line]
+        self.assertEqual(sum("left" in line for line in finished), 2, done.stdout)
+        self.assertRegex(done.stdout, r"finished in [0-9.]+ s, about (60|70|10) s left")
 
 
 class Failure(Project):

@@ -1,0 +1,202 @@
+"""How long the runs of a study will take on this machine. Standard library only.
+
+A run that was made before, from the same case with the same overrides, is expected to take as long
+as then, even if the program has changed since. Any other is expected to take its steps times its
+particles (or cells), as the program tells them, times what one costs here: that of SPH and of MPS is
+measured by a short run. The rates of the other solvers and searches over those were measured once,
+and hold within a factor of two; the estimate is one of the whole plan, not of each run.
+"""
+
+import json
+import re
+import subprocess
+import tempfile
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from study import BUILD, PRESETS, RUNS, Run, Study
+
+# A column of 800 particles; long enough for a hundred steps and more, a fraction of a second.
+CALIBRATION = ["particle/cases/dam_break.toml", "--set", "resolution.spacing=0.00725"]
+CALIBRATION_END = {"sph": 0.02, "mps": 0.1}
+SPH_PAIR = 2.5e-3  # a pair of the all-pairs search, in steps of a particle with the cell grid
+MPS_PAIR = 1.6e-4
+MPS_MULTIGRID = 0.55  # instead of ICCG
+ICCG_GROWTH = 0.2  # its cost per particle goes with this power of their number
+VOF_CELL = 0.6  # step of a cell, in those of an MPS particle of the calibration
+START_S = 0.3  # of a run besides its steps
+FOAM_START_S = 2.0
+REPORT_RUN_S = 0.5  # to read a run into the report
+REPORT_S = 20.0
+FILE = RUNS / ".estimate.json"
+
+
+@dataclass
+class Estimate:
+    """Seconds expected of each run; None where nothing is known."""
+
+    seconds: dict[str, float | None] = field(default_factory=dict)
+    from_last_time: int = 0
+
+    def total(self, runs: list[Run], cores: int) -> float:
+        """Of these runs: the timed ones one by one, then the others beside each other."""
+        cost = {run.name: self.seconds.get(run.name) or 0.0 for run in runs}
+        alone = sum(cost[run.name] for run in runs if run.timed)
+        shared = [run for run in runs if not run.timed]
+        area = sum(cost[run.name] * min(run.threads, cores) for run in shared) / max(cores, 1)
+        return alone + max([area, *(cost[run.name] for run in shared)])
+
+
+def estimate(runs: list[Run]) -> Estimate:
+    found = Estimate()
+    rates: dict[str, float | None] = {}
+    known: dict[tuple, float | None] = {}  # repetitions cost the same
+    for run in runs:
+        seconds = _last_time(run)
+        found.from_last_time += seconds is not None
+        if seconds is None:
+            work = (run.program, run.case, run.set, run.threads)
+            if work not in known:
+                known[work] = _modelled(run, rates)
+            seconds = known[work]
+        found.seconds[run.name] = seconds
+    return found
+
+
+def _last_time(run: Run) -> float | None:
+    """Seconds that it took when it was last made from this case with these overrides."""
+    try:
+        inputs = run.inputs()
+        stamps = list(run.folder.glob(".finished-*"))
+        before = json.loads(stamps[0].read_text(encoding="utf-8"))
+        if any(before.get(key) != inputs[key] for key in ("case", "overrides", "threads")):
+            return None
+        manifest = json.loads((run.folder / "manifest.json").read_text(encoding="utf-8"))
+        return float(manifest["wall_s"]["total"])
+    except (OSError, ValueError, KeyError, TypeError, IndexError):
+        return None
+
+
+def _modelled(run: Run, rates: dict[str, float | None]) -> float | None:
+    try:
+        return _foam(run, rates) if run.program == "interFoam" else _particles(run, rates)
+    except (OSError, ValueError, KeyError, TypeError, ZeroDivisionError):
+        return None
+
+
+def _particles(run: Run, rates: dict[str, float | None]) -> float | None:
+    settings = [word for setting in run.set for word in ("--set", setting)]
+    told = subprocess.run([str(BUILD / "bin/surge-particle"), "check", str(run.case), *settings],
+                          capture_output=True, text=True, check=False)
+    match = re.search(r"(\d+) fluid, (\d+) wall.*steps +about (\d+)", told.stdout, re.DOTALL)
+    if told.returncode != 0 or not match:
+        return None
+    fluid, wall, steps = (int(number) for number in match.groups())
+    method = _entry(run, "method.name", "mps")
+    rate = _rate(method, rates)
+    if rate is None:
+        return None
+    if method == "mps":
+        steps = max(1.0, steps * _share_of_speed(run, steps))
+    pairs = float(fluid + wall) ** 2 if _entry(run, "search.neighbours", "") == "all_pairs" else 0.0
+    if method == "sph":
+        width = float(_entry(run, "sph.h_over_l0", "1.2")) / 1.2
+        work = fluid * width**2 + SPH_PAIR * pairs
+    else:
+        iccg = (fluid / 800) ** ICCG_GROWTH
+        solver = _entry(run, "mps.ppe_solver", "multigrid")
+        work = fluid * (iccg if solver == "iccg" else MPS_MULTIGRID) + MPS_PAIR * pairs
+    return START_S + rate * work * steps / min(run.threads, 4) ** 0.7
+
+
+def _share_of_speed(run: Run, steps: int) -> float:
+    """Mean speed of a fall from rest over the speed that the program has taken for its steps; one
+    where the run is longer than it takes to reach that. The steps of SPH go with the sound."""
+    end, spacing = (float(_entry(run, f"{key}", "1")) for key in ("time.end", "resolution.spacing"))
+    speed = steps * float(_entry(run, "time.courant", "0.2")) * spacing / end
+    return min(1.0, 9.81 * end / (2 * speed)) if 9.81 * end < speed else 1.0
+
+
+def _foam(run: Run, rates: dict[str, float | None]) -> float | None:
+    rate = _rate("mps", rates)
+    if rate is None:
+        return None
+    text = (run.case / "system/caseParameters").read_text(encoding="utf-8")
+    entries = dict(re.findall(r"^(\w+)\s+([^;]+);", text, re.MULTILINE))
+    entries.update(setting.split("=", 1) for setting in run.set)
+    cells = 36 * float(entries["cellsPerL"]) ** 2
+    steps = 60 * float(entries["cellsPerL"]) * float(entries["endTime"]) * 0.5 / float(entries["maxCo"])
+    return FOAM_START_S + rate * VOF_CELL * cells * steps / min(run.threads, 4) ** 0.7
+
+
+def _entry(run: Run, key: str, otherwise: str) -> str:
+    """An entry of the case as the run sees it: its overrides, the preset, the case file."""
+    table, name = key.split(".")
+    for setting in reversed(run.set):
+        if setting.startswith(key + "="):
+            return setting.split("=", 1)[1].strip("\"'")
+    case = tomllib.loads(run.case.read_text(encoding="utf-8"))
+    if name in case.get(table, {}):
+        return str(case[table][name])
+    if table in ("mps", "sph"):
+        preset = _entry(run, "method.preset", "paper")
+        while preset:
+            text = (PRESETS / f"{table}-{preset}.toml").read_text(encoding="utf-8")
+            values = tomllib.loads(text)
+            if name in values.get(table, {}):
+                return str(values[table][name])
+            preset = values.get("extends", "")
+    return otherwise
+
+
+def _rate(method: str, rates: dict[str, float | None]) -> float | None:
+    """Seconds of a step of one fluid particle here, by a short run."""
+    if method not in rates:
+        rates[method] = _calibrate(method)
+    return rates[method]
+
+
+def _calibrate(method: str) -> float | None:
+    end = CALIBRATION_END[method]
+    with tempfile.TemporaryDirectory(prefix="calibration-") as folder:
+        command = [str(BUILD / "bin/surge-particle"), "run", *CALIBRATION, "--out", f"{folder}/run",
+                   "--set", f"method.name={method}", "--set", f"time.end={end}",
+                   "--set", f"output.interval={end}"]
+        try:
+            subprocess.run(command, capture_output=True, check=True)
+            manifest = json.loads(Path(folder, "run/manifest.json").read_text(encoding="utf-8"))
+            wall = manifest["wall_s"]
+            solve = wall["total"] - wall["setup"] - wall["output"]
+            return solve / (manifest["steps"] * manifest["fluid_particles"])
+        except (OSError, ValueError, KeyError, ZeroDivisionError, subprocess.CalledProcessError):
+            return None
+
+
+# --- the rest of a plan --------------------------------------------------------------------------
+
+
+def keep(found: Estimate, cores: int) -> None:
+    """Leaves the estimate to the runs, which tell what is left of it."""
+    FILE.parent.mkdir(exist_ok=True)
+    FILE.write_text(json.dumps({"cores": cores, "seconds": found.seconds}), encoding="utf-8")
+
+
+def left(study: Study, done: str) -> str:
+    """", about 12 min left" after a run; empty where nothing is known."""
+    try:
+        plan = json.loads(FILE.read_text(encoding="utf-8"))
+        rest = [run for run in study.runs if run.name in plan["seconds"] and run.name != done
+                and not run.stamp().exists()]
+        seconds = Estimate(plan["seconds"]).total(rest, plan["cores"])
+        return f", about {words(seconds)} left" if rest else ""
+    except (OSError, ValueError, KeyError, TypeError):
+        return ""
+
+
+def words(seconds: float) -> str:
+    if seconds < 90:
+        return f"{max(10, round(seconds, -1)):.0f} s"
+    if seconds < 90 * 60:
+        return f"{seconds / 60:.0f} min"
+    return f"{seconds / 3600:.1f} h"
