@@ -97,6 +97,7 @@ TEST_F(Program, WritesARunFolder) {
     EXPECT_EQ(j["frames"], 5);
     EXPECT_EQ(j["nonfinite"], 0);
     EXPECT_GT(j["wall_s"]["total"], 0.0);
+    EXPECT_GT(j["cpu_s"], 0.0);
     for (const char* phase : {"setup", "neighbours", "pressure", "forces", "output"}) {
       EXPECT_TRUE(j["wall_s"].contains(phase)) << phase;
     }
