@@ -76,9 +76,9 @@ double half_width(const Table& table) {
 std::string tics(double limit) {
   double step = 0.005;
   for (const double next : {0.01, 0.02, 0.05})
-    if (limit / step > 2.0) step = next;
+    if (limit / step > 2.5) step = next;
   return "set xrange [-" + fixed_text(limit, 4) + ":" + fixed_text(limit, 4) + "]\nset xtics " +
-         fixed_text(step, 3) + "\n";
+         fixed_text(step, 3) + " font \",7.2\"\n";
 }
 
 std::string dots(const Table& table, const std::string& x, const LineStyle& style, int point) {
