@@ -64,7 +64,19 @@ double index_of(double eps, double ratio, double order) {
   return safety_factor * std::abs(eps) / std::expm1(order * std::log(ratio));
 }
 
-void add_doubts(GridConvergence& result) {
+/// Whether a level between the three is farther from the curve through them than the index of the
+/// finest one.
+bool is_off_the_curve(const GridConvergence& result, const std::vector<Level>& others) {
+  const Level& fine = result.levels.front();
+  return std::any_of(others.begin(), others.end(), [&](const Level& level) {
+    if (level.h >= result.levels.back().h) return false;
+    const double predicted = *result.extrapolated + (fine.value - *result.extrapolated) *
+                                                        std::pow(level.h / fine.h, *result.order);
+    return std::abs(level.value - predicted) > *result.gci21;
+  });
+}
+
+void add_doubts(GridConvergence& result, const std::vector<Level>& others) {
   const auto doubt = [&](const std::string& text) { result.doubts.push_back(text); };
   switch (result.approach) {
     case Approach::constant:
@@ -83,15 +95,20 @@ void add_doubts(GridConvergence& result) {
   if (p < lowest_formal_order - order_margin)
     doubt("order " + shown(p) + " is below the formal ones");
   if (p > formal_order + order_margin) doubt("order " + shown(p) + " is above the formal ones");
-  // GCI32 / (r21^p GCI21) is one for three levels whatever they are, if p is their own order. With
-  // the nearest formal order it says whether the changes shrink as that order asks.
-  const double nearest = std::clamp(p, lowest_formal_order, formal_order);
-  const auto& [fine, middle, coarse] = result.levels;
-  const double ratio =
-      index_of(coarse.value - middle.value, result.r32, nearest) /
-      (std::pow(result.r21, nearest) * index_of(middle.value - fine.value, result.r21, nearest));
-  if (ratio < 1.0 / 1.25 || ratio > 1.25)
-    doubt("the indices’ ratio is " + shown(ratio) + " of what the nearest formal order gives");
+  if (result.approach == Approach::monotone && is_off_the_curve(result, others))
+    doubt("a level in between is off the curve by more than the index");
+}
+
+/// Largest change among the levels up to the second.
+double spread(const GridConvergence& result, const std::vector<Level>& others) {
+  double least = std::min(result.levels[0].value, result.levels[1].value);
+  double most = std::max(result.levels[0].value, result.levels[1].value);
+  for (const Level& level : others) {
+    if (level.h > result.levels[1].h) continue;
+    least = std::min(least, level.value);
+    most = std::max(most, level.value);
+  }
+  return most - least;
 }
 
 }  // namespace
@@ -123,7 +140,8 @@ std::optional<std::array<Level, 3>> systematic_levels(std::vector<Level> levels)
   return chosen;
 }
 
-GridConvergence grid_convergence(const std::array<Level, 3>& levels) {
+GridConvergence grid_convergence(const std::array<Level, 3>& levels,
+                                 const std::vector<Level>& others) {
   check(levels);
   GridConvergence result;
   result.levels = levels;
@@ -139,13 +157,13 @@ GridConvergence grid_convergence(const std::array<Level, 3>& levels) {
   if (std::abs(eps21) <= small || std::abs(eps32) <= small) {
     // Where only the finer two agree, the sequence has arrived; else it goes on after a standstill.
     result.approach = std::abs(eps21) <= small ? Approach::constant : Approach::diverging;
-    add_doubts(result);
+    add_doubts(result, others);
     return result;
   }
   result.order = observed_order(eps21, eps32, result.r21, result.r32);
   if (!result.order) {
     result.approach = Approach::diverging;
-    add_doubts(result);
+    add_doubts(result, others);
     return result;
   }
   result.approach = eps32 / eps21 > 0.0 ? Approach::monotone : Approach::oscillating;
@@ -153,9 +171,13 @@ GridConvergence grid_convergence(const std::array<Level, 3>& levels) {
   result.extrapolated = fine.value - eps21 / std::expm1(p * std::log(result.r21));
   result.gci21 = index_of(eps21, result.r21, p);
   result.gci32 = index_of(eps32, result.r32, p);
-  result.uncertainty =
-      std::min(index_of(eps21, result.r21, std::min(p, formal_order)), most_uncertain);
-  add_doubts(result);
+  const double nearest = std::clamp(p, lowest_formal_order, formal_order);
+  result.index_ratio = index_of(eps32, result.r32, nearest) /
+                       (std::pow(result.r21, nearest) * index_of(eps21, result.r21, nearest));
+  add_doubts(result, others);
+  const double doubted =
+      index_of(spread(result, others), result.r21, std::min(p, lowest_formal_order));
+  result.uncertainty = std::min(result.asymptotic() ? *result.gci21 : doubted, most_uncertain);
   return result;
 }
 

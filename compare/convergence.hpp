@@ -23,9 +23,9 @@ enum class Approach {
 };
 [[nodiscard]] std::string approach_text(Approach approach);
 
-/// What the refinement of one quantity says, by the procedure of Celik, Ghia, Roache, Freitas, Raad
-/// (2008), Procedure for estimation and reporting of uncertainty due to discretization in CFD
-/// applications, J. Fluids Eng. 130, 078001.
+/// What the refinement of one quantity says, by the procedure of Celik, Ghia, Roache, Freitas,
+/// Coleman & Raad (2008), Procedure for estimation and reporting of uncertainty due to
+/// discretization in CFD applications, J. Fluids Eng. 130, 078001.
 struct GridConvergence {
   std::array<Level, 3> levels;  ///< finest first
   double r21 = 0.0, r32 = 0.0;  ///< h2/h1, h3/h2
@@ -35,10 +35,14 @@ struct GridConvergence {
   std::optional<double> extrapolated;  ///< (r21^p phi1 - phi2) / (r21^p - 1), Eq. (4)
   std::optional<double> gci21;         ///< 1.25 |phi1 - phi2| / (r21^p - 1): Eq. (7) times |phi1|
   std::optional<double> gci32;         ///< the same of the middle level
-  /// 95 % uncertainty of phi1 in its own unit. The finest level's index with an order of at most
-  /// the formal one, since an order that is high by chance must not make it small; never more than
-  /// three times the range of the three values, which is what stands where the sequence diverges
-  /// (Eca & Hoekstra 2009, Comput. Fluids 38, 1580-1591).
+  /// GCI32 / (r^p GCI21) with p the formal order nearest to the observed one: one where the
+  /// observed order is formal. (With the observed order itself it is one for any three levels.)
+  std::optional<double> index_ratio;
+  /// 95 % uncertainty of phi1 in its own unit. In the asymptotic range gci21. Else the same with an
+  /// order of at most one and with the largest change among the levels up to the second, since an
+  /// order or a change of chance must not make it small; but never more than three times the range
+  /// of the three values, which is what stands where the sequence diverges (Eca & Hoekstra 2009,
+  /// Comput. Fluids 38, 1580-1591).
   double uncertainty = 0.0;
   /// Why the sequence is not in the asymptotic range, in words; empty where it seems to be.
   std::vector<std::string> doubts;
@@ -62,8 +66,10 @@ inline constexpr double smallest_ratio = 1.5;
 /// finest first, whatever order they come in. Empty where there are no three.
 [[nodiscard]] std::optional<std::array<Level, 3>> systematic_levels(std::vector<Level> levels);
 
-/// The procedure on three levels, finest first. Throws surge::Error for sizes that do not increase
-/// or are not positive, and for values that are not finite.
-[[nodiscard]] GridConvergence grid_convergence(const std::array<Level, 3>& levels);
+/// The procedure on three levels, finest first. `others` are levels beside these: they say how
+/// much the values scatter about the curve, and nothing else. Throws surge::Error for sizes that do
+/// not increase or are not positive, and for values that are not finite.
+[[nodiscard]] GridConvergence grid_convergence(const std::array<Level, 3>& levels,
+                                               const std::vector<Level>& others = {});
 
 }  // namespace surge::compare

@@ -37,6 +37,8 @@ std::vector<Figure> figures_of(const StudyResult& study) {
   std::vector<Figure> figures;
   if (study.has_reference())
     for (const auto& definition : all_figures()) figures.push_back(definition.make(study));
+  if (study.has_reference())
+    for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));
   for (Figure& figure : verification_figures(study)) figures.push_back(std::move(figure));
   return figures;
 }

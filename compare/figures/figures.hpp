@@ -41,6 +41,10 @@ namespace surge::compare {
 [[nodiscard]] Figure sph_sensitivity_figure(const StudyResult& study);
 [[nodiscard]] Figure vof_sensitivity_figure(const StudyResult& study);
 
+/// Z/L over the spacing with the extrapolated values, and error over cost; none where the study has
+/// no runs of role convergence.
+[[nodiscard]] std::vector<Figure> convergence_figures(const StudyResult& study);
+
 /// One entry of the catalogue.
 struct FigureDefinition {
   std::string name;  ///< "fig8"; its files', and `surge-compare figure 8` finds it

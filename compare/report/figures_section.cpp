@@ -39,8 +39,10 @@ void measure_figures(const StudyResult& study, json& metrics) {
 std::string write_figures(const Page& page) {
   std::string html = "<div class=\"figures\">\n";
   for (const Figure& figure : page.figures) {
-    // The flows with a known answer and the sensitivity have sections of their own.
-    if (figure.name.starts_with("verification_") || figure.name.starts_with("sensitivity_"))
+    // The flows with a known answer, the sensitivity and the convergence have sections of their
+    // own.
+    if (figure.name.starts_with("verification_") || figure.name.starts_with("sensitivity_") ||
+        figure.name.starts_with("convergence"))
       continue;
     const auto other = std::find_if(elsewhere.begin(), elsewhere.end(),
                                     [&](const auto& e) { return figure.name == e[0]; });

@@ -8,7 +8,7 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 13> sections{
+  static const std::array<Section, 14> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_figures, write_figures},
@@ -16,6 +16,8 @@ std::span<const Section> report_sections() {
        {"claims", "The paper’s statements", measure_claims, write_claims},
        {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
        {"sensitivity", "What the paper leaves open", measure_sensitivity, write_sensitivity},
+       {"convergence", "Convergence, uncertainty, and error over cost", measure_convergence,
+        write_convergence},
        {"verification", "Flows with a known answer", measure_verification, write_verification,
         false},
        {"runs", "Runs, accuracy and cost", measure_runs, write_runs},

@@ -52,6 +52,8 @@ void measure_verification(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_verification(const Page& page);
 void measure_sensitivity(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_sensitivity(const Page& page);
+void measure_convergence(const StudyResult& study, nlohmann::json& metrics);
+[[nodiscard]] std::string write_convergence(const Page& page);
 void measure_errata(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_errata(const Page& page);
 void measure_deviations(const StudyResult& study, nlohmann::json& metrics);

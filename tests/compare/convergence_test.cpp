@@ -114,8 +114,22 @@ TEST(Convergence, OrdersFarFromTheFormalOnesAreDoubtedAndBounded) {
   EXPECT_THAT(fast.doubts.front(), HasSubstr("above"));
   EXPECT_NEAR(*fast.order, 4.0, 1e-9);
   EXPECT_NEAR(*fast.gci21, 1.25, 1e-9);
-  EXPECT_NEAR(fast.uncertainty, 1.25 * 15.0 / 3.0, 1e-9);  // as if of second order
-  EXPECT_EQ(fast.doubts.size(), 2U);
+  EXPECT_NEAR(fast.uncertainty, 1.25 * 15.0, 1e-9);  // as if of first order
+  EXPECT_EQ(fast.doubts.size(), 1U);
+  EXPECT_NEAR(*fast.index_ratio, 4.0, 1e-9);  // sixteenfold changes, of second order fourfold
+}
+
+TEST(Convergence, LevelsInBetweenSayWhetherTheCurveIsOne) {
+  const auto levels = power(1.0, 1.0, 1.0, {1.0, 2.0, 4.0});  // 2, 3, 5
+  EXPECT_TRUE(grid_convergence(levels, {{1.5, 2.5}, {3.0, 4.0}}).asymptotic());
+  const GridConvergence off = grid_convergence(levels, {{1.5, 4.5}});
+  EXPECT_THAT(off.doubts, ElementsAre(HasSubstr("off the curve")));
+  EXPECT_NEAR(off.uncertainty, 1.25 * 2.5, 1e-9);  // 2 to 4.5
+  // Beyond the second level it counts for the curve, not for the uncertainty; beyond the third for
+  // neither.
+  EXPECT_NEAR(grid_convergence(levels, {{3.0, 9.0}}).uncertainty, 1.25, 1e-9);
+  EXPECT_FALSE(grid_convergence(levels, {{3.0, 9.0}}).asymptotic());
+  EXPECT_TRUE(grid_convergence(levels, {{5.0, 9.0}}).asymptotic());
 }
 
 TEST(Convergence, TakesTheFinestThreeLevelsThatAreFarEnoughApart) {
