@@ -24,8 +24,9 @@ std::string sequence_table(const Page& page, const std::string& at) {
                      (spacing ? " mm" : " ms"));
   for (const char* name : {"Approach", "Order", "Extrapolated", "GCI", "U"})
     header.emplace_back(name);
-  header.emplace_back("In the asymptotic range");
+  header.emplace_back("Asymptotic");
   Rows rows;
+  std::string doubts;
   for (const auto& [name, quantity] : sequence["quantities"].items()) {
     const std::string here = at + "/quantities/" + name;
     std::vector<std::string> row{v.text(here + "/title")};
@@ -41,13 +42,18 @@ std::string sequence_table(const Page& page, const std::string& at) {
     row.push_back(v.number(result + "/order", 2));
     for (const char* number : {"/extrapolated", "/gci21", "/uncertainty"})
       row.push_back(v.number(result + number, 4));
-    row.push_back(
-        quantity["result"]["asymptotic"].get<bool>() ? "yes" : "no: " + v.text(result + "/doubts"));
+    const bool asymptotic = quantity["result"]["asymptotic"];
+    row.emplace_back(asymptotic ? "yes" : "no");
+    if (!asymptotic)
+      doubts += "<li>" + v.text(here + "/title") + ": " + v.text(result + "/doubts") + "</li>";
     rows.push_back(std::move(row));
   }
   return html_table(sequence["label"].get<std::string>() + ", " +
                         sequence["refined"].get<std::string>() + " refined",
-                    header, rows);
+                    header, rows) +
+         (doubts.empty() ? ""
+                         : "<details><summary>Why not in the asymptotic range</summary><ul>" +
+                               doubts + "</ul></details>\n");
 }
 
 std::string interval(const Page& page, const std::string& at) {
