@@ -37,7 +37,8 @@ inline constexpr std::array enum_names<mps::PpeSolver>{
     Named{"multigrid", mps::PpeSolver::multigrid}};
 template <>
 inline constexpr std::array enum_names<mps::NegativePressure>{
-    Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip}};
+    Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip},
+    Named{"clip_at_air", mps::NegativePressure::clip_at_air}};
 template <>
 inline constexpr std::array enum_names<mps::Source>{
     Named{"number_density", mps::Source::number_density},
@@ -47,6 +48,16 @@ inline constexpr std::array enum_names<mps::GradientModel>{
     Named{"minimum", mps::GradientModel::minimum},
     Named{"conserving", mps::GradientModel::conserving},
     Named{"corrected", mps::GradientModel::corrected}};
+template <>
+inline constexpr std::array enum_names<mps::LaplacianOf>{
+    Named{"pressure", mps::LaplacianOf::pressure},
+    Named{"dynamic_pressure", mps::LaplacianOf::dynamic_pressure}};
+template <>
+inline constexpr std::array enum_names<mps::SurfaceAt>{
+    Named{"centre", mps::SurfaceAt::centre}, Named{"half_spacing", mps::SurfaceAt::half_spacing}};
+template <>
+inline constexpr std::array enum_names<mps::WallCoupling>{Named{"all", mps::WallCoupling::all},
+                                                          Named{"fluid", mps::WallCoupling::fluid}};
 template <>
 inline constexpr std::array enum_names<mps::ViscousTerm>{
     Named{"laplacian", mps::ViscousTerm::laplacian},
@@ -97,6 +108,14 @@ void visit_options(P& p, Visitor&& option) {
          "source of the pressure equation; divergence_and_density is Tanaka & Masunaga (2010)");
   option("density_share", p.density_share, Bounds::closed(0.0, 1.0),
          "gamma, the share of the density error in divergence_and_density");
+  option("laplacian_of", p.laplacian_of, any,
+         "dynamic_pressure leaves the hydrostatic part out of the pressure equation");
+  option("surface_at", p.surface_at, any,
+         "p = 0 in the centres of the surface particles, or half a spacing outside");
+  option("wall_coupling", p.wall_coupling, any,
+         "neighbours in the pressure equation of walls: all, or the fluid alone");
+  option("shifting", p.shifting, Bounds::at_least(0.0),
+         "particle shifting, in l0 per path l0 of the fastest particle; 0: off");
   option("gradient", p.gradient, any,
          "pressure gradient: conserving is Khayyer & Gotoh (2008), corrected (2011)");
   option("viscous_term", p.viscous_term, any,

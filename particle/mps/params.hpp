@@ -15,7 +15,11 @@ enum class PpeSolver {
   multigrid  ///< conjugate gradients with a multigrid on a background grid
 };
 
-enum class NegativePressure { keep, clip };
+enum class NegativePressure {
+  keep,
+  clip,        ///< set to zero
+  clip_at_air  ///< set to zero where a free surface is near: air lets water go
+};
 
 /// Right side of the pressure equation.
 enum class Source {
@@ -27,8 +31,25 @@ enum class Source {
 enum class GradientModel {
   minimum,     ///< Eqs. (5) and (6), the paper's
   conserving,  ///< conserves momentum (Khayyer & Gotoh 2008)
-  corrected    ///< exact for linear fields (Khayyer & Gotoh 2011); `minimum` on and next to the
-               ///< surface
+  corrected    ///< exact for linear fields (Khayyer & Gotoh 2011); `minimum` in spray
+};
+
+/// What the Laplacian of the pressure equation acts on.
+enum class LaplacianOf {
+  pressure,         ///< p, as in the paper
+  dynamic_pressure  ///< p less what gravity makes of it between the two particles
+};
+
+/// Where the pressure of a free surface is zero.
+enum class SurfaceAt {
+  centre,       ///< in the centres of the surface particles, as in the paper
+  half_spacing  ///< half a spacing outside of them, where the water ends
+};
+
+/// Whose pressures the equation of a wall particle takes its pressure from.
+enum class WallCoupling {
+  all,   ///< fluid and wall, and p = 0 by Eq. (14), as in the paper
+  fluid  ///< the fluid it touches, always
 };
 
 /// Model of the viscous term.
@@ -46,7 +67,11 @@ struct Params {
   double surface_offset = 0.0;  ///< > 0: and neighbours lie to one side by more than this
   Source source = Source::number_density;
   double density_share = 0.01;  ///< gamma of Tanaka & Masunaga (2010)
+  LaplacianOf laplacian_of = LaplacianOf::pressure;
+  SurfaceAt surface_at = SurfaceAt::centre;
+  WallCoupling wall_coupling = WallCoupling::all;
   GradientModel gradient = GradientModel::minimum;
+  double shifting = 0.0;  ///< share of l0 by which particles move apart while v_max moves by l0
   ViscousTerm viscous_term = ViscousTerm::laplacian;
   double source_relaxation = 1.0;  ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;

@@ -24,7 +24,7 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
     if (unknown[i] < 0) continue;
     std::int32_t entries = 0;
     for (const std::uint32_t j : list.of(static_cast<std::size_t>(i)))
-      entries += unknown[j] >= 0 ? 1 : 0;
+      entries += unknown[j] >= 0 && couples(p, static_cast<std::size_t>(i), j) ? 1 : 0;
     system_.row_start[unknown[i] + 1] = entries;
   }
   for (std::size_t k = 0; k < unknowns; ++k) system_.row_start[k + 1] += system_.row_start[k];
@@ -39,7 +39,7 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
     auto entry = static_cast<std::size_t>(system_.row_start[row]);
     double diagonal = 0.0;
     for (const std::uint32_t j : list.of(static_cast<std::size_t>(i))) {
-      if (p.type[j] == ParticleType::dummy) continue;
+      if (!couples(p, static_cast<std::size_t>(i), j)) continue;
       const double r = std::sqrt(squared_norm<D>(displacement(static_cast<std::size_t>(i), j)));
       const double weight = factor_ * mps_weight(r, re_);
       diagonal += weight;

@@ -20,7 +20,9 @@ template <int D>
 class PoissonAssembly {
  public:
   /// re: effective radius of the Laplacian, m; factor: laplacian_factor(), 1/m^2
-  PoissonAssembly(double re, double factor, double spacing) : re_(re), factor_(factor) {
+  /// walls_couple: whether wall particles are neighbours of each other
+  PoissonAssembly(double re, double factor, double spacing, bool walls_couple = true)
+      : re_(re), factor_(factor), walls_couple_(walls_couple) {
     system_.dimension = D;
     system_.spacing = spacing;
   }
@@ -32,9 +34,16 @@ class PoissonAssembly {
 
   [[nodiscard]] PoissonSystem& system() { return system_; }
 
+  /// Whether two neighbours have an entry in the equations.
+  [[nodiscard]] bool couples(const Particles<D>& p, std::size_t i, std::size_t j) const {
+    if (p.type[i] == ParticleType::dummy || p.type[j] == ParticleType::dummy) return false;
+    return walls_couple_ || p.type[i] == ParticleType::fluid || p.type[j] == ParticleType::fluid;
+  }
+
  private:
   double re_;
   double factor_;
+  bool walls_couple_;
   PoissonSystem system_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "particle/core/fastest_speed.hpp"
@@ -11,18 +12,45 @@
 #include "particle/mps/gradient.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/number_density.hpp"
+#include "particle/mps/shifting.hpp"
 #include "particle/mps/velocity_divergence.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::mps {
 namespace {
 
-constexpr int wall_layers = 3;  ///< the paper's; the inner one carries pressure
+constexpr double single_layer = 0.4;  ///< of n0; a layer of the lattice alone has 0.35
+constexpr double least_pivot = 0.3;   ///< of a corrected gradient; 1 on the full lattice
+constexpr int wall_layers = 3;        ///< the paper's; the inner one carries pressure
 
 template <int D>
 double factor_of(const Params& params, double l0) {
   return laplacian_factor<D>(reference_number_density<D>(params.re_laplacian),
                              laplacian_lambda<D>(params.lambda, params.re_laplacian, l0));
+}
+
+/// From the nearest point of a box to x; zero inside. m
+template <int D>
+Vec<D> outside_of(const Box& box, const Vec<D>& x) {
+  Vec<D> d;
+  for (std::size_t a = 0; a < D; ++a) d[a] = x[a] - std::clamp(x[a], box.lower[a], box.upper[a]);
+  return d;
+}
+
+/// From x in a box to the nearest of its faces, m.
+template <int D>
+Vec<D> to_nearest_face(const Box& box, const Vec<D>& x) {
+  Vec<D> d{};
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t a = 0; a < D; ++a) {
+    for (const double face : {box.lower[a], box.upper[a]}) {
+      if (std::abs(face - x[a]) >= least) continue;
+      least = std::abs(face - x[a]);
+      d = {};
+      d[a] = face - x[a];
+    }
+  }
+  return d;
 }
 
 }  // namespace
@@ -45,21 +73,46 @@ Solver<D>::Solver(const Case& c)
       p_(initial_particles<D>(c, wall_layers)),
       grid_(c.search, periodicity_of<D>(c)),
       periodicity_(periodicity_of<D>(c)),
-      assembly_(re_laplacian_, laplacian_factor_, c.spacing),
+      assembly_(re_laplacian_, laplacian_factor_, c.spacing,
+                params_.wall_coupling == WallCoupling::all),
       pressure_solver_(params_) {
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
+  const Point still = still_gravity(c);
+  std::copy_n(still.begin(), D, still_gravity_.begin());
   for (int a = 0; a < D; ++a) correction_[a].assign(p_.size(), 0.0);
   for (int a = 0; a < D; ++a) {
     rubbing_velocity_[a].assign(p_.size(), 0.0);
     assembly_.system().period[a] = periodicity_.length[a];
   }
   least_.assign(p_.size(), 0.0);
+  surface_pressure_.assign(p_.size(), 0.0);
+  if (params_.wall_coupling == WallCoupling::fluid && !no_slip_) find_wall_normals(c);
+  for (int a = 0; a < D; ++a) concentration_gradient_[a].assign(p_.size(), 0.0);
   unknown_.assign(p_.size(), -1);
   find_neighbours();
   compute_number_density();
   StepReport ignored;
   measure_speed(ignored);
+}
+
+/// Normals of wall particles by the tank and the obstacles that they stand for; of any length one,
+/// into either side.
+template <int D>
+void Solver<D>::find_wall_normals(const Case& c) {
+  wall_normal_.assign(p_.size(), Vec<D>{});
+  for (std::size_t i = 0; i < p_.size(); ++i) {
+    if (is_fluid(i)) continue;
+    Vec<D> n = outside_of<D>(c.tank.box, p_.position(i));
+    if (squared_norm<D>(n) == 0.0) {
+      for (const Box& obstacle : c.obstacles)
+        if (squared_norm<D>(outside_of<D>(obstacle, p_.position(i))) == 0.0)
+          n = to_nearest_face<D>(obstacle, p_.position(i));
+    }
+    const double length = std::sqrt(squared_norm<D>(n));
+    for (int a = 0; a < D; ++a)
+      wall_normal_[static_cast<std::size_t>(p_.id[i])][a] = length > 0.0 ? n[a] / length : 0.0;
+  }
 }
 
 template <int D>
@@ -81,6 +134,7 @@ StepReport Solver<D>::step(double dt_limit) {
   find_free_surface();
   solve_pressure(dt, report);
   correct(dt, report);
+  shift_particles(dt, report);
   measure_speed(report);
   time_ += dt;
   ++steps_;
@@ -244,13 +298,18 @@ void Solver<D>::compute_number_density() {
 
 template <int D>
 bool Solver<D>::is_on_surface(std::size_t i, const Displacement<D>& displacement) const {
+  if (params_.wall_coupling == WallCoupling::fluid && !is_fluid(i)) {
+    const auto neighbours = list_.of(i);
+    return std::none_of(neighbours.begin(), neighbours.end(),
+                        [&](std::uint32_t j) { return is_fluid(j); });
+  }
   if (!on_free_surface(p_.density[i], params_.beta, n0_)) return false;
   if (params_.surface_offset == 0.0 || on_free_surface(p_.density[i], thin_sheet, n0_)) return true;
   return neighbour_offset<D>(i, list_.of(i), displacement, re_, n0_, spacing_) >
          params_.surface_offset;
 }
 
-/// Numbers the particles whose pressure is unknown; the others get p = 0.
+/// Numbers the particles whose pressure is unknown; the others get that of the surface.
 template <int D>
 void Solver<D>::find_free_surface() {
   const auto scope = clock_.measure(Phase::pressure);
@@ -262,21 +321,103 @@ void Solver<D>::find_free_surface() {
     const auto i = static_cast<std::size_t>(k);
     const bool solved = has_pressure(i) && !is_on_surface(i, displacement);
     unknown_[i] = solved ? 0 : -1;
-    if (!solved) p_.pressure[i] = 0.0;
+    if (!solved) p_.pressure[i] = surface_pressure_[i];
   }
   for (std::ptrdiff_t i = 0; i < n; ++i)
     if (unknown_[i] == 0) unknown_[i] = static_cast<std::int32_t>(unknowns_++);
 }
 
+/// Whether a particle has a free surface within the radius of the number density.
+template <int D>
+bool Solver<D>::near_surface(std::size_t i, const Displacement<D>& displacement) const {
+  if (is_surface(i)) return true;
+  for (const std::uint32_t j : list_.of(i))
+    if (is_surface(j) && squared_norm<D>(displacement(i, j)) < re_ * re_) return true;
+  return false;
+}
+
 /// Pa/m^2, with the sign of the Laplacian turned.
 template <int D>
 double Solver<D>::source(std::size_t i, double dt, const Displacement<D>& displacement) const {
+  const bool dynamic = params_.laplacian_of == LaplacianOf::dynamic_pressure;
+  double still = dynamic ? still_source(i, displacement) : 0.0;
+  if (params_.surface_at == SurfaceAt::half_spacing) still += surface_source(i, displacement);
   if (params_.source == Source::number_density)
-    return poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation);
-  const double divergence = velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, p_.v,
-                                                   [](std::size_t) { return true; });
+    return poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation) + still;
+  // What gravity has just added to the fluid, and not to the walls, is in `still`.
+  const double fallen = dynamic ? dt : 0.0;
+  const auto relative = [&](std::size_t j) { return relative_velocity(i, j, fallen); };
+  const double divergence = velocity_divergence_of(i, displacement, relative);
+  // Under a surface neighbours are missing, not far apart.
+  double n = p_.density[i];
+  if (n < n0_ && near_surface(i, displacement)) n = n0_;
   return params_.source_relaxation *
-         mixed_source(divergence, p_.density[i], n0_, rho_, dt, params_.density_share);
+             mixed_source(divergence, n, n0_, rho_, dt, params_.density_share) +
+         still;
+}
+
+/// The part of the right side that belongs to a pressure rho g . x,
+///   -rho 2d/(lambda n0) sum_j g . (x_j - x_i) w,
+/// by the Laplacian model itself: the rows of the equation hold for it exactly, wherever the
+/// neighbours are, and so does water at rest. Zero where they surround the particle evenly.
+template <int D>
+double Solver<D>::still_source(std::size_t i, const Displacement<D>& displacement) const {
+  double sum = 0.0;
+  for (const std::uint32_t j : list_.of(i)) {
+    if (!assembly_.couples(p_, i, j)) continue;
+    const Vec<D> d = displacement(i, j);
+    double head = 0.0;
+    for (int a = 0; a < D; ++a) head += still_gravity_[a] * d[a];
+    sum += head * mps_weight(std::sqrt(squared_norm<D>(d)), re_laplacian_);
+  }
+  return -rho_ * laplacian_factor_ * sum;
+}
+
+/// What the pressures of the surface particles around add to the right side.
+template <int D>
+double Solver<D>::surface_source(std::size_t i, const Displacement<D>& displacement) const {
+  double sum = 0.0;
+  for (const std::uint32_t j : list_.of(i)) {
+    if (p_.pressure[j] == 0.0 || !is_surface(j) || !assembly_.couples(p_, i, j)) continue;
+    sum +=
+        p_.pressure[j] * mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re_laplacian_);
+  }
+  return laplacian_factor_ * sum;
+}
+
+/// v_j - v_i as the divergence sees it, less `fallen` times gravity for the fluid. Between fluid
+/// and a slip wall, of which the normal is known, only the normal part: what slides along a wall is
+/// not changed by the uneven places of the wall's particles.
+template <int D>
+Vec<D> Solver<D>::relative_velocity(std::size_t i, std::size_t j, double fallen) const {
+  const auto velocity = [&](std::size_t k) {
+    Vec<D> v = p_.velocity(k);
+    if (is_fluid(k))
+      for (int a = 0; a < D; ++a) v[a] -= fallen * still_gravity_[a];
+    return v;
+  };
+  const Vec<D> own = velocity(i);
+  Vec<D> v = velocity(j);
+  for (int a = 0; a < D; ++a) v[a] -= own[a];
+  if (wall_normal_.empty() || is_fluid(i) == is_fluid(j)) return v;
+  const Vec<D>& n = wall_normal_[static_cast<std::size_t>(p_.id[is_fluid(i) ? j : i])];
+  double along = 0.0;
+  for (int a = 0; a < D; ++a) along += v[a] * n[a];
+  for (int a = 0; a < D; ++a) v[a] = along * n[a];
+  return v;
+}
+
+template <int D>
+template <class Relative>
+double Solver<D>::velocity_divergence_of(std::size_t i, const Displacement<D>& displacement,
+                                         Relative&& relative) const {
+  const auto everyone = [](std::size_t) { return true; };
+  if (params_.gradient == GradientModel::corrected) {
+    if (const auto divergence = corrected_divergence<D>(i, list_.of(i), displacement, re_, n0_,
+                                                        least_pivot, relative, everyone))
+      return *divergence;
+  }
+  return velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
 }
 
 template <int D>
@@ -296,13 +437,17 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
-  const bool clip = params_.negative_pressure == NegativePressure::clip;
+  const auto may_pull = [&](std::size_t i) {
+    if (params_.negative_pressure == NegativePressure::clip_at_air)
+      return !is_fluid(i) || !near_surface(i, displacement);
+    return params_.negative_pressure == NegativePressure::keep;
+  };
   long clipped = 0;
 #pragma omp parallel for schedule(static, stretch) reduction(+ : clipped)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown_[i] < 0) continue;
     double p = unknown_pressure_[unknown_[i]];
-    if (clip && p < 0.0) {
+    if (p < 0.0 && !may_pull(static_cast<std::size_t>(i))) {
       p = 0.0;
       clipped += p_.type[i] == ParticleType::fluid ? 1 : 0;
     }
@@ -323,11 +468,73 @@ void Solver<D>::correct(double dt, StepReport& report) {
       const Vec<D> grad = pressure_gradient(i, displacement);
       for (int a = 0; a < D; ++a) correction_[a][i] = -dt / rho_ * grad[a];
     });
+    if (params_.surface_at == SurfaceAt::half_spacing) update_surface_pressure(dt, displacement);
     for_each_fluid([&](std::size_t i) {
       for (int a = 0; a < D; ++a) p_.v[a][i] += correction_[a][i];
     });
   }
   move(dt, correction_, report);
+}
+
+/// The pressure half a spacing below the surface, by the gradient of this step, for the next one.
+template <int D>
+void Solver<D>::update_surface_pressure(double dt, const Displacement<D>& displacement) {
+  find_concentration_gradient(displacement);
+  for_each_fluid([&](std::size_t i) {
+    surface_pressure_[i] = 0.0;
+    // Spray falls freely.
+    if (on_free_surface(p_.density[i], single_layer, n0_)) return;
+    const Vec<D> inward = surface_normal(i, displacement);
+    const double length = std::sqrt(squared_norm<D>(inward));
+    if (length == 0.0) return;
+    double slope = 0.0;  // of the pressure, inwards
+    for (int a = 0; a < D; ++a) slope -= rho_ / dt * correction_[a][i] * inward[a] / length;
+    surface_pressure_[i] = std::max(0.0, 0.5 * spacing_ * slope);
+  });
+}
+
+template <int D>
+void Solver<D>::find_concentration_gradient(const Displacement<D>& displacement) {
+  for_each_fluid([&](std::size_t i) {
+    const Vec<D> g = concentration_gradient<D>(i, list_.of(i), displacement, re_, n0_);
+    for (int a = 0; a < D; ++a) concentration_gradient_[a][i] = g[a];
+  });
+}
+
+template <int D>
+void Solver<D>::shift_particles(double dt, StepReport& report) {
+  if (params_.shifting == 0.0) return;
+  {
+    const auto scope = clock_.measure(Phase::forces);
+    const Displacement<D> displacement(p_.x, periodicity_);
+    find_concentration_gradient(displacement);
+    for_each_fluid([&](std::size_t i) {
+      Vec<D> g;
+      for (int a = 0; a < D; ++a) g[a] = concentration_gradient_[a][i];
+      // Spray and sheets of one layer have no inside to be evened out.
+      const bool thin = on_free_surface(p_.density[i], single_layer, n0_);
+      const Vec<D> s = shift<D>(g, surface_normal(i, displacement), thin ? 0.0 : params_.shifting,
+                                spacing_, v_max_ * dt);
+      for (int a = 0; a < D; ++a) correction_[a][i] = s[a] / dt;
+    });
+  }
+  move(dt, correction_, report);
+}
+
+/// Mean of the concentration's gradient over the surface particles around: along the normal of the
+/// surface, and smoother than that of one of them. Zero where there is no surface.
+template <int D>
+Vec<D> Solver<D>::surface_normal(std::size_t i, const Displacement<D>& displacement) const {
+  Vec<D> sum{};
+  const auto add = [&](std::size_t j, double weight) {
+    for (int a = 0; a < D; ++a) sum[a] += weight * concentration_gradient_[a][j];
+  };
+  if (is_surface(i)) add(i, 1.0);
+  for (const std::uint32_t j : list_.of(i)) {
+    const double r = std::sqrt(squared_norm<D>(displacement(i, j)));
+    if (r < re_ && is_fluid(j) && is_surface(j)) add(j, mps_weight(r, re_));
+  }
+  return sum;
 }
 
 template <int D>
@@ -352,9 +559,9 @@ Vec<D> Solver<D>::pressure_gradient(std::size_t i, const Displacement<D>& displa
   const auto counts = [&](std::size_t j) { return has_pressure(j); };
   if (params_.gradient == GradientModel::conserving)
     return conserving_gradient<D>(i, list_.of(i), displacement, re_, n0_, pressure, least, counts);
-  if (params_.gradient == GradientModel::corrected && p_.density[i] >= thin_sheet * n0_) {
-    if (const auto grad =
-            corrected_gradient<D>(i, list_.of(i), displacement, re_, n0_, 0.3, pressure, counts))
+  if (params_.gradient == GradientModel::corrected) {
+    if (const auto grad = corrected_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot,
+                                                pressure, counts))
       return *grad;
   }
   return gradient<D>(i, list_.of(i), displacement, re_, n0_, least_[i], pressure, counts);

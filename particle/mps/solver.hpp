@@ -57,6 +57,19 @@ class Solver {
   [[nodiscard]] double source(std::size_t i, double dt, const Displacement<D>& displacement) const;
   /// New velocities and positions, Eqs. (11), (13).
   void correct(double dt, StepReport& report);
+  /// Particles moved apart, along the surface near it.
+  void shift_particles(double dt, StepReport& report);
+  void update_surface_pressure(double dt, const Displacement<D>& displacement);
+  void find_concentration_gradient(const Displacement<D>& displacement);
+  [[nodiscard]] double surface_source(std::size_t i, const Displacement<D>& displacement) const;
+  [[nodiscard]] Vec<D> surface_normal(std::size_t i, const Displacement<D>& displacement) const;
+  [[nodiscard]] bool near_surface(std::size_t i, const Displacement<D>& displacement) const;
+  void find_wall_normals(const Case& c);
+  [[nodiscard]] Vec<D> relative_velocity(std::size_t i, std::size_t j, double fallen) const;
+  [[nodiscard]] double still_source(std::size_t i, const Displacement<D>& displacement) const;
+  template <class Relative>
+  [[nodiscard]] double velocity_divergence_of(std::size_t i, const Displacement<D>& displacement,
+                                              Relative&& relative) const;
   void find_minima(const Displacement<D>& displacement);
   [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   /// Fastest particle.
@@ -68,6 +81,8 @@ class Solver {
 
   [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
   [[nodiscard]] bool has_pressure(std::size_t i) const { return p_.type[i] != ParticleType::dummy; }
+  /// p = 0, by Eq. (14).
+  [[nodiscard]] bool is_surface(std::size_t i) const { return has_pressure(i) && unknown_[i] < 0; }
   template <class F>
   void for_each_fluid(F&& f);
 
@@ -78,18 +93,22 @@ class Solver {
   double nu_;
   bool no_slip_;
   Vec<D> gravity_{};
-  double re_;            ///< of gradient and number density, m
-  double re_laplacian_;  ///< m
-  double n0_;            ///< Eq. (9), at re
+  Vec<D> still_gravity_{};  ///< what a hydrostatic pressure balances
+  double re_;               ///< of gradient and number density, m
+  double re_laplacian_;     ///< m
+  double n0_;               ///< Eq. (9), at re
   double laplacian_factor_;
   double viscous_lambda_;  ///< m2; the lattice's, whatever the pressure equation has
   CollisionModel<D> collision_;
   WallCollision<D> walls_;
 
   Particles<D> p_;
-  std::array<Field, D> correction_;        ///< v' of Eq. (11), m/s
-  std::array<Field, D> rubbing_velocity_;  ///< m/s, what neighbours show to the viscous term
-  Field least_;                            ///< Pa, the neighbourhood minimum of Eq. (6)
+  std::array<Field, D> correction_;              ///< v' of Eq. (11), m/s
+  std::array<Field, D> rubbing_velocity_;        ///< m/s, what neighbours show to the viscous term
+  std::array<Field, D> concentration_gradient_;  ///< 1/m, of shifting
+  std::vector<Vec<D>> wall_normal_;              ///< by id; empty where walls are not smooth
+  Field surface_pressure_;                       ///< Pa, where a particle is on the surface
+  Field least_;                                  ///< Pa, the neighbourhood minimum of Eq. (6)
   AlignedVector<std::int32_t>
       unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;

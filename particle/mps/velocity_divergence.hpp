@@ -1,28 +1,66 @@
 #pragma once
 
+#include <optional>
+
+#include "particle/mps/gradient.hpp"
 #include "particle/mps/number_density.hpp"
 
 namespace surge::mps {
 
 /// Velocity divergence by the gradient model of Eq. (5), 1/s:
 ///   <div v>_i = d/n0 sum_{j != i} (v_j - v_i) . (x_j - x_i) / |x_j - x_i|^2 w(|x_j - x_i|).
-/// re in m; v in m/s. The flux that all particles on one side of a plane see through it is the one
-/// that the Laplacian model balances, so a wall at rest holds up still water.
-template <int D, class Counts>
+/// re in m; relative(j) = v_j - v_i in m/s. The flux that all particles on one side of a plane see
+/// through it is the one that the Laplacian model balances. Exact for linear fields on a lattice
+/// only: where the lattice is stretched, the shear of the flow passes for divergence.
+template <int D, class Relative, class Counts>
 double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbours,
                            const Displacement<D>& displacement, double re, double n0,
-                           const std::array<Field, D>& v, Counts&& counts) {
+                           Relative&& relative, Counts&& counts) {
   double sum = 0.0;
   for (const std::uint32_t j : neighbours) {
     if (!counts(j)) continue;
     const Vec<D> d = displacement(i, j);
     const double r2 = squared_norm<D>(d);
     if (r2 >= re * re || r2 == 0.0) continue;
+    const Vec<D> v = relative(j);
     double approach = 0.0;
-    for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
+    for (int a = 0; a < D; ++a) approach += v[a] * d[a];
     sum += approach / r2 * mps_weight(std::sqrt(r2), re);
   }
   return D / n0 * sum;
+}
+
+/// The trace of the velocity gradient by the corrected gradient model (Khayyer & Gotoh 2011),
+///   C_i : sum (v_j - v_i) (x_j - x_i)^T / r^2 w,
+/// exact for linear fields wherever the neighbours are. Empty where they are too few for C, see
+/// corrected_gradient().
+template <int D, class Relative, class Counts>
+std::optional<double> corrected_divergence(std::size_t i, std::span<const std::uint32_t> neighbours,
+                                           const Displacement<D>& displacement, double re,
+                                           double n0, double limit, Relative&& relative,
+                                           Counts&& counts) {
+  std::array<Vec<D>, D> moment{};
+  std::array<Vec<D>, D> sum{};  // one row per component of v
+  for (const std::uint32_t j : neighbours) {
+    if (!counts(j)) continue;
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    const double weight = mps_weight(std::sqrt(r2), re) / r2;
+    const Vec<D> v = relative(j);
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b) {
+        moment[a][b] += weight * d[a] * d[b];
+        sum[a][b] += weight * v[a] * d[b];
+      }
+  }
+  double trace = 0.0;
+  for (int a = 0; a < D; ++a) {
+    const auto gradient = solve_spd<D>(moment, sum[a], limit * n0 / D);
+    if (!gradient) return std::nullopt;
+    trace += (*gradient)[a];
+  }
+  return trace;
 }
 
 /// Right side of the pressure equation with its sign turned, Pa/m^2, by Tanaka & Masunaga (2010),

@@ -7,6 +7,7 @@
 #include "particle/mps/gradient.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/number_density.hpp"
+#include "particle/mps/shifting.hpp"
 #include "particle/mps/velocity_divergence.hpp"
 
 namespace surge::mps {
@@ -296,9 +297,14 @@ void expect_divergence_exact() {
     for (int a = 0; a < D; ++a) v[a].push_back((a + 1.0) * lattice.x[a][j]);
     v[0].back() += 7.0 * lattice.x[1][j];  // shear has no divergence
   }
+  const auto relative = [&](std::size_t j) {
+    Vec<D> difference;
+    for (int a = 0; a < D; ++a) difference[a] = v[a][j] - v[a][lattice.middle];
+    return difference;
+  };
   const double divergence =
       velocity_divergence<D>(lattice.middle, lattice.list.of(lattice.middle), displacement, re * l0,
-                             reference_number_density<D>(re), v, everyone);
+                             reference_number_density<D>(re), relative, everyone);
   EXPECT_NEAR(divergence, D * (D + 1) / 2.0, 1e-10);
 }
 
@@ -307,6 +313,91 @@ TEST(VelocityDivergence, ExactOnLinearFields2D) {
 }
 TEST(VelocityDivergence, ExactOnLinearFields3D) {
   expect_divergence_exact<3>();
+}
+
+/// A stretched lattice of which a corner is missing.
+template <int D>
+Lattice<D> torn_lattice(double re) {
+  Lattice<D> lattice(4, re * l0);
+  for (std::size_t j = 0; j < lattice.x[0].size(); ++j) {
+    if (lattice.x[0][j] > 0.5 * l0 && lattice.x[1][j] > -0.5 * l0) lattice.x[0][j] += 1.0;
+    lattice.x[0][j] *= 0.9;
+    lattice.x[1][j] *= 1.2;
+  }
+  return lattice;
+}
+
+template <int D>
+void expect_corrected_divergence_exact() {
+  const double re = 3.1;
+  const Lattice<D> lattice = torn_lattice<D>(re);
+  const Displacement<D> displacement(lattice.x, {});
+  const auto relative = [&](std::size_t j) {
+    const Vec<D> d = displacement(lattice.middle, j);
+    Vec<D> v{};
+    for (int a = 0; a < D; ++a) v[a] = (a + 1.0) * d[a];
+    v[0] += 7.0 * d[1];  // shear has no divergence
+    return v;
+  };
+  const auto neighbours = lattice.list.of(lattice.middle);
+  const double n0 = reference_number_density<D>(re);
+  const auto divergence = corrected_divergence<D>(lattice.middle, neighbours, displacement, re * l0,
+                                                  n0, 0.1, relative, everyone);
+  ASSERT_TRUE(divergence.has_value());
+  EXPECT_NEAR(*divergence, D * (D + 1) / 2.0, 1e-10);
+  // The plain sum is not.
+  const double plain = velocity_divergence<D>(lattice.middle, neighbours, displacement, re * l0, n0,
+                                              relative, everyone);
+  EXPECT_GT(std::abs(plain - D * (D + 1) / 2.0), 0.1);
+}
+
+TEST(CorrectedDivergence, ExactOnLinearFieldsWhereverTheNeighboursAre2D) {
+  expect_corrected_divergence_exact<2>();
+}
+TEST(CorrectedDivergence, ExactOnLinearFieldsWhereverTheNeighboursAre3D) {
+  expect_corrected_divergence_exact<3>();
+}
+
+TEST(CorrectedDivergence, IsNotTrustedOnALine) {
+  const Lattice<2> lattice(4, 3.1 * l0);
+  const auto on_a_line = [&](std::size_t j) { return std::abs(lattice.x[1][j]) < 0.5 * l0; };
+  const auto nothing = [](std::size_t) { return Vec<2>{}; };
+  EXPECT_FALSE(corrected_divergence<2>(lattice.middle, lattice.list.of(lattice.middle),
+                                       Displacement<2>(lattice.x, {}), 3.1 * l0,
+                                       reference_number_density<2>(3.1), 0.3, nothing, on_a_line)
+                   .has_value());
+}
+
+TEST(Shifting, LeavesALatticeAlone) {
+  const double re = 3.1;
+  const Lattice<2> lattice(4, re * l0);
+  const Vec<2> gradient = concentration_gradient<2>(lattice.middle, lattice.list.of(lattice.middle),
+                                                    Displacement<2>(lattice.x, {}), re * l0,
+                                                    reference_number_density<2>(re));
+  EXPECT_NEAR(gradient[0] * l0, 0.0, 1e-12);
+  EXPECT_NEAR(gradient[1] * l0, 0.0, 1e-12);
+}
+
+// A particle that was moved off its place in a lattice is sent back, not past it.
+TEST(Shifting, EvensOutADisplacement) {
+  const double re = 3.1;
+  Lattice<2> lattice(4, re * l0);
+  lattice.x[0][lattice.middle] = 0.2 * l0;
+  const Vec<2> gradient = concentration_gradient<2>(lattice.middle, lattice.list.of(lattice.middle),
+                                                    Displacement<2>(lattice.x, {}), re * l0,
+                                                    reference_number_density<2>(re));
+  const Vec<2> s = shift<2>(gradient, {}, 1.0, l0, 0.2 * l0);
+  EXPECT_LT(s[0], -0.01 * l0);
+  EXPECT_GT(s[0], -0.2 * l0);
+  EXPECT_NEAR(s[1], 0.0, 1e-12 * l0);
+}
+
+TEST(Shifting, KeepsToTheSurface) {
+  const Vec<2> normal{3.0, 4.0};
+  const Vec<2> s = shift<2>({1.0, 0.5}, normal, 0.5, l0, 1e-3);
+  EXPECT_NEAR(s[0] * normal[0] + s[1] * normal[1], 0.0, 1e-18);
+  // Along the surface nothing is lost: (1, 0.5) on the tangent (4, -3)/5 is 0.5.
+  EXPECT_NEAR(std::hypot(s[0], s[1]), 0.5 * l0 * 1e-3 * 0.5, 1e-18);
 }
 
 TEST(MixedSource, GammaWeighsDivergenceAgainstDensity) {

@@ -116,7 +116,7 @@ TEST(SmoothPressure, DiffusionOfTheWholeDensityDrifts) {
 TEST(SmoothPressure, MpsImproved) {
   EXPECT_LT(
       pressure_error<mps::Solver<2>>(still_water({"method.name=mps", "method.preset=improved"})),
-      0.03);
+      0.005);
 }
 
 }  // namespace

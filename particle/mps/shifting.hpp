@@ -1,0 +1,45 @@
+#pragma once
+
+#include "particle/mps/number_density.hpp"
+
+namespace surge::mps {
+
+/// Gradient of the particle concentration by the gradient model of Eq. (5), 1/m:
+///   <grad C>_i = d/n0 sum_{j != i} (x_j - x_i) / |x_j - x_i|^2 w(|x_j - x_i|),
+/// zero on a lattice, towards the side where the neighbours are closer, or are at all. re in m.
+template <int D>
+Vec<D> concentration_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
+                              const Displacement<D>& displacement, double re, double n0) {
+  Vec<D> sum{};
+  for (const std::uint32_t j : neighbours) {
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    const double factor = mps_weight(std::sqrt(r2), re) / r2;
+    for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
+  }
+  for (double& component : sum) component *= D / n0;
+  return sum;
+}
+
+/// Particle shifting by Fick's law (Lind, Xu, Stansby & Rogers 2012, J. Comput. Phys. 231), with
+/// the diffusivity that Skillen et al. (2013), Comput. Methods Appl. Mech. Eng. 265, give it, in
+/// proportion to the path:
+///   dx_i = -A l0 (v_max dt) <grad C>_i,
+/// less the part along the normal of the surface for particles near it (Khayyer, Gotoh & Shimizu
+/// 2017, J. Comput. Phys. 332, optimised particle shifting). `normal` has any length; zero means
+/// that no surface is near. path: v_max dt, m.
+template <int D>
+Vec<D> shift(const Vec<D>& concentration_gradient, const Vec<D>& normal, double share, double l0,
+             double path) {
+  Vec<D> s;
+  for (int a = 0; a < D; ++a) s[a] = -share * l0 * path * concentration_gradient[a];
+  const double square = squared_norm<D>(normal);
+  if (square == 0.0) return s;
+  double along = 0.0;
+  for (int a = 0; a < D; ++a) along += s[a] * normal[a];
+  for (int a = 0; a < D; ++a) s[a] -= along / square * normal[a];
+  return s;
+}
+
+}  // namespace surge::mps
