@@ -72,7 +72,11 @@ inline constexpr std::array enum_names<sph::Kernel>{
     Named{"wendland_c2", sph::Kernel::wendland_c2}};
 template <>
 inline constexpr std::array enum_names<sph::NegativePressure>{
-    Named{"keep", sph::NegativePressure::keep}, Named{"clip", sph::NegativePressure::clip}};
+    Named{"keep", sph::NegativePressure::keep}, Named{"clip", sph::NegativePressure::clip},
+    Named{"difference", sph::NegativePressure::difference}};
+template <>
+inline constexpr std::array enum_names<sph::Shifting>{
+    Named{"none", sph::Shifting::none}, Named{"concentration", sph::Shifting::concentration}};
 template <>
 inline constexpr std::array enum_names<sph::DiffusionOf>{
     Named{"density", sph::DiffusionOf::density},
@@ -150,7 +154,10 @@ void visit_options(P& p, Visitor&& option) {
   option("xsph_epsilon", p.xsph_epsilon, Bounds::closed(0.0, 1.0), "XSPH factor, Eq. (24)");
   option("acoustic_courant", p.acoustic_courant, Bounds::at_least(0.0),
          "dt <= this h / (c0 + v_max); 0: only Eq. (25) limits the step");
-  option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
+  option("negative_pressure", p.negative_pressure, any,
+         "what becomes of negative pressures; difference is Sun et al. (2018)");
+  option("shifting", p.shifting, any,
+         "moves particles to where there are fewer; concentration is Sun et al. (2017)");
   option("viscous_term", p.viscous_term, any,
          "laplacian is Morris, Fox & Zhu (1997), deformation Monaghan & Gingold (1983)");
   option("artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),

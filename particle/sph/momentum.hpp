@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "particle/core/simd.hpp"
 
@@ -16,6 +17,16 @@ namespace surge::sph {
 template <class T>
 T pressure_term(T p_over_rho2_i, T p_over_rho2_j, T slope) {
   return (p_over_rho2_i + p_over_rho2_j) * slope;
+}
+
+/// What stands for p_i/rho_i^2 in the pressure term on particle i where it is negative inside the
+/// fluid: its opposite, which makes p_j + p_i into p_j - p_i (Sun, Colagrossi, Marrone, Antuono &
+/// Zhang 2018, Comput. Phys. Commun. 224). Fluid under tension then exerts no force where its
+/// pressure is uniform, however its particles lie, so that they don't clump (tensile instability).
+/// What it exerts on j is judged by j: momentum isn't conserved pair by pair. The solver sets
+/// negative pressures of surface particles themselves to zero, which the authors do not.
+inline double without_tension(double p_over_rho2, bool near_surface) {
+  return near_surface ? p_over_rho2 : std::abs(p_over_rho2);
 }
 
 /// Artificial viscosity of Monaghan (1992), Annu. Rev. Astron. Astrophys. 30, without its beta

@@ -4,7 +4,17 @@ namespace surge::sph {
 
 enum class Kernel { quintic_spline, wendland_c2 };
 
-enum class NegativePressure { keep, clip };
+enum class NegativePressure {
+  keep,
+  clip,       ///< set to zero
+  difference  ///< inside the fluid it acts by p_j - p_i (Sun et al. 2018), on the surface it is
+              ///< zero
+};
+/// Whether particles are moved relative to the fluid so that they stay evenly spread.
+enum class Shifting {
+  none,
+  concentration  ///< down the gradient of their concentration (Sun et al. 2017)
+};
 
 /// How wall particles get their density, and by the equation of state their pressure.
 enum class WallDensity {
@@ -40,6 +50,7 @@ struct Params {
   double density_diffusion = 0.0;     ///< delta of Molteni & Colagrossi (2009)
   DiffusionOf diffusion_of = DiffusionOf::density;
   WallDensity wall_density = WallDensity::continuity;
+  Shifting shifting = Shifting::none;
   double wall_distance = 0.25;    ///< in l0: no particle's centre comes closer to a wall
   double wall_restitution = 0.0;  ///< ratio of normal speeds after and before a wall collision
 };

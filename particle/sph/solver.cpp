@@ -53,7 +53,10 @@ Solver<D>::Solver(const Case& c)
       state_(c.density, c0_, params_.gamma),
       walls_(c, params_.wall_distance * c.spacing, params_.wall_restitution),
       p_(initial_particles<D>(c, wall_layers(params_))),
-      grid_(c.search, periodicity_of<D>(c)) {
+      grid_(c.search, periodicity_of<D>(c)),
+      shifting_(params_.shifting != Shifting::none),
+      difference_(params_.negative_pressure == NegativePressure::difference),
+      surroundings_(h_, c.spacing, reference_speed(c)) {
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   const Point still = still_gravity(c);
@@ -68,6 +71,7 @@ Solver<D>::Solver(const Case& c)
   density_rate_.assign(n, 0.0);
   fluid_volume_.assign(n, 0.0);
   p_over_rho2_.assign(n, 0.0);
+  own_p_over_rho2_.assign(difference_ ? n : 0, 0.0);
   for (std::size_t i = 0; i < n; ++i)
     p_.density[i] =
         hydrostatic_density(state_, rho0_, norm<D>(still_gravity_),
@@ -75,6 +79,7 @@ Solver<D>::Solver(const Case& c)
   measure_speed();
   sort_particles(stable_step());
   update_fluid_volume();
+  survey_surroundings(0.0);
   StepReport ignored;
   apply_equation_of_state(ignored);
   apply_momentum();
@@ -99,6 +104,7 @@ StepReport Solver<D>::step(double dt_limit) {
   sort_particles(dt);
   half_drift(dt);
   apply_continuity(dt);
+  survey_surroundings(dt);
   drift(dt, report);
   apply_equation_of_state(report);
   apply_momentum();
@@ -125,7 +131,8 @@ template <int D>
 void Solver<D>::sort_particles(double dt) {
   const auto scope = clock_.measure(Phase::neighbours);
   // XSPH moves a particle by no more than the fastest one; twice the path because two may approach.
-  const double path = v_max_ * dt;
+  // A shift adds half as much.
+  const double path = (shifting_ ? 1.5 : 1.0) * v_max_ * dt;
   moved_since_sort_ += path;
   if (steps_ > 0 && 2.0 * moved_since_sort_ <= skin_) return;
   skin_ = std::max(0.1 * spacing_, 2.5 * path);
@@ -265,6 +272,25 @@ void Solver<D>::continuity_pass(const K& kernel) {
 }
 
 template <int D>
+void Solver<D>::survey_surroundings(double dt) {
+  if (!shifting_ && !difference_) return;
+  const auto scope = clock_.measure(Phase::forces);
+  std::visit(
+      [&](const auto& kernel) {
+        surroundings_.survey(kernel, grid_, p_, fluid_volume_, fluid_before_, 0.5 * v_max_);
+        if (shifting_)
+          surroundings_.density_rate(kernel, grid_, p_, fluid_volume_, fluid_before_,
+                                     density_rate_);
+      },
+      kernel_);
+  if (!shifting_) return;
+  // Where the kernel is cut off by the surface, the sums are one-sided.
+  for_each_fluid([&](std::size_t i) {
+    if (!surroundings_.near_surface(i)) p_.density[i] += dt * density_rate_[i];
+  });
+}
+
+template <int D>
 void Solver<D>::drift(double dt, StepReport& report) {
   const auto scope = clock_.measure(Phase::forces);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
@@ -280,6 +306,7 @@ void Solver<D>::drift(double dt, StepReport& report) {
       v[a] = p_.v[a][i];
       start[a] = p_.x[a][i] - 0.5 * dt * (v[a] + params_.xsph_epsilon * xsph_old_[a][i]);
       end[a] = start[a] + dt * (v[a] + params_.xsph_epsilon * xsph_[a][i]);
+      if (shifting_) end[a] += dt * surroundings_.shift()[a][i];
     }
     if (walls_.apply(start, end, v)) {
       ++collisions;
@@ -300,8 +327,11 @@ void Solver<D>::apply_equation_of_state(StepReport& report) {
   long clipped = 0;
 #pragma omp parallel for schedule(static) reduction(+ : clipped)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
     double p = state_.pressure(p_.density[i]);
-    if (clip && p < 0.0) {
+    if (p < 0.0 && (clip || (difference_ && surroundings_.on_surface(k)))) {
+      // What is detached has no pressure to follow from, only what its density has drifted by.
+      if (difference_ && surroundings_.is_detached(k)) p_.density[i] = rho0_;
       p = 0.0;
       clipped += p_.type[i] == ParticleType::fluid ? 1 : 0;
     }
@@ -313,6 +343,11 @@ void Solver<D>::apply_equation_of_state(StepReport& report) {
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i)
     p_over_rho2_[i] = p_.pressure[i] / (p_.density[i] * p_.density[i]);
+  if (!difference_) return;
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    own_p_over_rho2_[i] =
+        without_tension(p_over_rho2_[i], surroundings_.near_surface(static_cast<std::size_t>(i)));
 }
 
 /// Pressure of a wall particle from the fluid around it, with the hydrostatic difference (Adami, Hu
@@ -399,10 +434,12 @@ void Solver<D>::apply_momentum() {
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
-        if (viscous)
-          momentum_pass<K, true>(kernel);
+        if (difference_)
+          momentum_pass<K, true, true>(kernel);
+        else if (viscous)
+          momentum_pass<K, true, false>(kernel);
         else
-          momentum_pass<K, false>(kernel);
+          momentum_pass<K, false, false>(kernel);
       },
       kernel_);
 }
@@ -411,9 +448,9 @@ void Solver<D>::apply_momentum() {
 /// D v/Dt = pressure term, Eq. (22), + gravity, which the paper adds in words, + viscous terms
 /// where they are on.
 template <int D>
-template <class K, bool Viscous>
+template <class K, bool Viscous, bool Difference>
 void Solver<D>::momentum_pass(const K& kernel) {
-  using Loop = MomentumLoop<Viscous>;
+  using Loop = MomentumLoop<Viscous, Difference>;
   typename Loop::Sources fields;
   typename Loop::Sums sums;
   for (int a = 0; a < D; ++a) {
@@ -427,6 +464,7 @@ void Solver<D>::momentum_pass(const K& kernel) {
     fields[2 * D + 1] = p_.density.data();
     fields[2 * D + 2] = fluid_volume_.data();
   }
+  if constexpr (Difference) fields[2 * D + 3] = own_p_over_rho2_.data();
   const double alpha_c0_h = params_.artificial_viscosity * c0_ * h_;
   const double h2 = h_ * h_;
   const bool deformation = params_.viscous_term == ViscousTerm::deformation;
@@ -464,6 +502,15 @@ void Solver<D>::momentum_pass(const K& kernel) {
         terms.to_i[a] = pressure * dx[a];
         terms.to_j[a] = -terms.to_i[a];
       }
+      if constexpr (Difference) {
+        // Each by its own pressure: only what differs from the sum of both is left to add.
+        const Simd more_to_i = Simd(mass_) * (i[2 * D + 3] - i[D]) * slope;
+        const Simd more_to_j = Simd(mass_) * (j[2 * D + 3] - j[D]) * slope;
+        for (int a = 0; a < D; ++a) {
+          terms.to_i[a] += more_to_i * dx[a];
+          terms.to_j[a] -= more_to_j * dx[a];
+        }
+      }
       if (nu_ > 0.0) {
         if (no_slip_) {
           volume_i = Simd(mass_) / rho_i;
@@ -492,7 +539,9 @@ void Solver<D>::momentum_pass(const K& kernel) {
   const auto any_fluid = [&](std::size_t begin, std::size_t end) {
     return fluid_before_[end] > fluid_before_[begin];
   };
-  if constexpr (Viscous)
+  if constexpr (Difference)
+    difference_loop_(grid_, fields, sums, needed, any_fluid, pair);
+  else if constexpr (Viscous)
     viscous_loop_(grid_, fields, sums, needed, any_fluid, pair);
   else
     momentum_loop_(grid_, fields, sums, needed, any_fluid, pair);

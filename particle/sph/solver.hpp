@@ -12,6 +12,7 @@
 #include "particle/kernel/quintic_spline.hpp"
 #include "particle/kernel/wendland_c2.hpp"
 #include "particle/sph/equation_of_state.hpp"
+#include "particle/sph/shifting.hpp"
 
 namespace surge::sph {
 
@@ -52,9 +53,11 @@ class Solver {
   /// Reads x, v, volume (and density); sums XSPH and the rate of density.
   template <bool Diffusion>
   using ContinuityLoop = SymmetricPairLoop<D, Diffusion ? 2 * D + 2 : 2 * D + 1, D + 1>;
-  /// Reads x, p/rho^2 (and v, density, volume); sums the acceleration without gravity.
-  template <bool Viscous>
-  using MomentumLoop = SymmetricPairLoop<D, Viscous ? 2 * D + 3 : D + 1, D>;
+  /// Reads x, p/rho^2 (and v, density, volume) (and what stands for p/rho^2 of the particle
+  /// itself); sums the acceleration without gravity.
+  template <bool Viscous, bool Difference>
+  using MomentumLoop =
+      SymmetricPairLoop<D, (Viscous ? 2 * D + 3 : D + 1) + (Difference ? 1 : 0), D>;
 
   // The first line of the comment on a function that step() calls is its box in the flowchart.
   /// Particles sorted into cells of neighbours.
@@ -68,6 +71,8 @@ class Solver {
   template <class K, bool Diffusion>
   void continuity_pass(const K& kernel);
   void update_fluid_volume();
+  /// Surface and shifting velocity; density by the shift.
+  void survey_surroundings(double dt);
   /// Positions with XSPH, held back at walls, Eq. (24).
   void drift(double dt, StepReport& report);
   /// Pressure by the equation of state, Eq. (21).
@@ -78,7 +83,7 @@ class Solver {
   void extrapolate_velocity(const K& kernel);
   /// Accelerations by pressure, Eqs. (22), (23).
   void apply_momentum();
-  template <class K, bool Viscous>
+  template <class K, bool Viscous, bool Difference>
   void momentum_pass(const K& kernel);
   /// Fastest particle.
   void measure_speed();
@@ -110,13 +115,18 @@ class Solver {
   Field density_rate_;
   Field fluid_volume_;  ///< m/rho of fluid particles, 0 for walls
   Field p_over_rho2_;
+  Field own_p_over_rho2_;  ///< what stands for it in the sum of the particle itself
   std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
 
   CellGrid<D> grid_;
+  bool shifting_;
+  bool difference_;  ///< negative pressures inside act by differences
+  Surroundings<D> surroundings_;
   ContinuityLoop<false> continuity_loop_;
   ContinuityLoop<true> diffusion_loop_;
-  MomentumLoop<false> momentum_loop_;
-  MomentumLoop<true> viscous_loop_;
+  MomentumLoop<false, false> momentum_loop_;
+  MomentumLoop<true, false> viscous_loop_;
+  MomentumLoop<true, true> difference_loop_;
   std::vector<TileBuffer<D, D + 3>> wall_tiles_;
   std::vector<TileBuffer<D, 2 * D + 1>> rubbing_tiles_;
 

@@ -143,17 +143,48 @@ TEST(SphSolver, TheNumberOfThreadsDoesNotMatter) {
   EXPECT_EQ(largest_difference(one, three), 0.0);
 }
 
+Case shifted_dam(Search search = Search::cell_grid) {
+  Case c = small_dam(search);
+  auto& p = std::get<Params>(c.method);
+  p.shifting = Shifting::concentration;
+  p.negative_pressure = NegativePressure::difference;
+  return c;
+}
+
+TEST(SphSolver, ShiftingIsTheSameForAllSearchesAndThreads) {
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  Solver<2> one(shifted_dam());
+  Solver<2> pairs(shifted_dam(Search::all_pairs));
+  for (int k = 0; k < 30; ++k) {
+    one.step(1.0);
+    pairs.step(1.0);
+  }
+  omp_set_num_threads(3);
+  Solver<2> three(shifted_dam());
+  for (int k = 0; k < 30; ++k) three.step(1.0);
+  omp_set_num_threads(before);
+  EXPECT_EQ(largest_difference(one, three), 0.0);
+  EXPECT_LT(largest_difference(one, pairs), 1e-11);
+  Solver<2> plain(small_dam());
+  for (int k = 0; k < 30; ++k) plain.step(1.0);
+  EXPECT_GT(largest_difference(one, plain), 1e-6) << "it does something";
+}
+
 TEST(SphSolver, RunsInThreeDimensions) {
   Case c = small_dam();
   c.dimension = 3;
   c.tank.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.06}};
   c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.1, 0.1, 0.06}};
-  Solver<3> solver(c);
-  StepReport report;
-  for (int k = 0; k < 40; ++k) report = solver.step(1.0);
-  EXPECT_EQ(report.lost, 0);
-  EXPECT_GT(report.v_max, 0.01);
-  EXPECT_LT(report.v_max, 2.0);
+  for (const Shifting shifting : {Shifting::none, Shifting::concentration}) {
+    std::get<Params>(c.method).shifting = shifting;
+    Solver<3> solver(c);
+    StepReport report;
+    for (int k = 0; k < 40; ++k) report = solver.step(1.0);
+    EXPECT_EQ(report.lost, 0);
+    EXPECT_GT(report.v_max, 0.01);
+    EXPECT_LT(report.v_max, 2.0);
+  }
 }
 
 TEST(SphSolver, StableStepKeepsBothLimits) {

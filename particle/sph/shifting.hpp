@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "particle/core/cell_grid.hpp"
+#include "particle/core/particles.hpp"
+#include "particle/core/symmetric_pair_loop.hpp"
+
+namespace surge::sph {
+
+/// Concentration of the particles about i, weighted so that near neighbours count more, by which
+/// Sun, Colagrossi, Marrone & Zhang (2017), Comput. Methods Appl. Mech. Eng. 315, shift particles:
+///   G_i = sum_j [1 + R (W_ij / W(l0))^4] V_j grad_i W_ij,  R = 0.2,
+/// here the factor of (x_i - x_j) V_j for one neighbour; slope = (dW/dr) / r. The fourth power
+/// keeps particles from pairing (Monaghan 2000, J. Comput. Phys. 159).
+template <class T>
+T concentration_slope(T value, T slope, double value_at_spacing) {
+  const T ratio = value * T(1.0 / value_at_spacing);
+  const T square = ratio * ratio;
+  return (T(1.0) + T(0.2) * square * square) * slope;
+}
+
+/// Velocity (m/s) at which a particle is shifted relative to the fluid (the same authors):
+///   du = -2 h U G,
+/// U being the reference speed of the flow, but no faster than `limit` (m/s).
+template <std::size_t D>
+std::array<double, D> shifting_velocity(const std::array<double, D>& concentration_gradient,
+                                        double h, double speed, double limit) {
+  std::array<double, D> shift;
+  double square = 0.0;
+  for (std::size_t a = 0; a < D; ++a) {
+    shift[a] = -2.0 * h * speed * concentration_gradient[a];
+    square += shift[a] * shift[a];
+  }
+  const double length = std::sqrt(square);
+  if (length > limit)
+    for (double& s : shift) s *= limit / length;
+  return shift;
+}
+
+/// The part of a shift that leads out of the fluid taken off; `outward` is a normal of any length.
+/// A surface particle has neighbours on one side only and would be shifted off it. What leads
+/// inward stays, so that layers under a surface that is being stretched can still move into each
+/// other.
+template <std::size_t D>
+std::array<double, D> along_surface(std::array<double, D> shift,
+                                    const std::array<double, D>& outward) {
+  double dot = 0.0;
+  double square = 0.0;
+  for (std::size_t a = 0; a < D; ++a) {
+    dot += shift[a] * outward[a];
+    square += outward[a] * outward[a];
+  }
+  if (square > 0.0 && dot > 0.0)
+    for (std::size_t a = 0; a < D; ++a) shift[a] -= dot / square * outward[a];
+  return shift;
+}
+
+/// What lies about each fluid particle: whether the free surface is near, and where the particle
+/// should be shifted to.
+///
+/// The free surface is known by the smallest eigenvalue lambda of
+///   M_i = sum_j V_j (x_j - x_i) (x) grad_i W_ij,
+/// which is 1 inside the fluid, about 1/2 on a flat surface and 0 for a particle alone; the normal
+/// by its gradient (Marrone et al. 2010, J. Comput. Phys. 229; Sun et al. 2017).
+template <int D>
+class Surroundings {
+ public:
+  static constexpr double surface_lambda = 0.75;  ///< below it a particle counts as surface
+  static constexpr double detached_lambda = 0.4;  ///< below it as spray, which isn't shifted
+
+  /// h: smoothing length, spacing: l0, both m; speed: reference speed U of the flow, m/s
+  Surroundings(double h, double spacing, double speed) : h_(h), spacing_(spacing), speed_(speed) {}
+
+  /// For the particles in the grid's order. fluid_volume: m3, 0 for walls; fluid_before: number of
+  /// fluid particles before each index; speed_limit: m/s, no shift is faster. A shift isn't faster
+  /// either than the root mean square of the neighbours' velocities relative to the particle: what
+  /// moves as a whole isn't rearranged, at rest nothing is. (Sun, Colagrossi, Marrone, Antuono &
+  /// Zhang 2019, Comput. Methods Appl. Mech. Eng. 348, take half of the largest instead, which in
+  /// uniform shear is 1.3 times that.)
+  template <class K>
+  void survey(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
+              const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before,
+              double speed_limit);
+
+  /// Rate of change of density (kg/m3/s) by the shift found last. Sun et al. (2019), without the
+  /// velocity of the fluid, which the continuity equation has:
+  ///   D rho_i/Dt += sum_j V_j [rho_i du_i + rho_j du_j - rho_i (du_j - du_i)] . grad_i W_ij,
+  /// du = 0 for walls. Walls have no part in the first two terms: nothing is carried through them.
+  /// The last part is what the shift does to the particle's volume; the first, which changes sign
+  /// between i and j, carries the density to where the particle goes. Together they leave a smooth
+  /// density alone, but not a shift that on the whole draws the particles together or apart: that
+  /// would change the volume of the fluid without its pressure ever knowing.
+  template <class K>
+  void density_rate(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
+                    const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before,
+                    Field& rate);
+
+  /// m/s, of fluid particles
+  [[nodiscard]] const std::array<Field, D>& shift() const { return shift_; }
+  [[nodiscard]] const Field& lambda() const { return lambda_; }
+  [[nodiscard]] bool on_surface(std::size_t i) const { return lambda_[i] < surface_lambda; }
+  [[nodiscard]] bool is_detached(std::size_t i) const { return lambda_[i] < detached_lambda; }
+  /// Whether a particle or one within its kernel lies on the surface.
+  [[nodiscard]] bool near_surface(std::size_t i) const {
+    return on_surface(i) || surface_share_[i] > 0.0;
+  }
+
+ private:
+  static constexpr int moments = D * (D + 1) / 2;
+  static constexpr int sums = D + moments + 2;
+
+  template <class K>
+  void sum_neighbours(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
+                      const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before);
+  template <class K>
+  void find_surface(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
+                    const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before);
+
+  double h_;
+  double spacing_;
+  double speed_;
+  Field volume_;                       ///< of walls too
+  std::array<Field, D> shift_;         ///< first G, then the velocity
+  std::array<Field, moments> moment_;  ///< M, row by row from the diagonal on
+  Field relative_;                     ///< sum of V W |v_j - v_i|^2 over fluid
+  Field weight_;                       ///< sum of V W over fluid, without the particle itself
+  Field lambda_;
+  std::array<Field, D> inward_;  ///< gradient of lambda
+  Field surface_share_;
+  SymmetricPairLoop<D, 2 * D + 2, sums> neighbour_loop_;
+  SymmetricPairLoop<D, D + 2, D + 1> surface_loop_;
+  SymmetricPairLoop<D, 2 * D + 3, 1> density_loop_;
+};
+
+}  // namespace surge::sph
