@@ -1,6 +1,6 @@
 #pragma once
 
-#include "particle/mps/number_density.hpp"
+#include "particle/mps/gradient.hpp"
 
 namespace surge::mps {
 
@@ -10,16 +10,9 @@ namespace surge::mps {
 template <int D>
 Vec<D> concentration_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
                               const Displacement<D>& displacement, double re, double n0) {
-  Vec<D> sum{};
-  for (const std::uint32_t j : neighbours) {
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    const double factor = mps_weight(std::sqrt(r2), re) / r2;
-    for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
-  }
-  for (double& component : sum) component *= D / n0;
-  return sum;
+  return gradient<D>(
+      i, neighbours, displacement, re, n0, 0.0, [](std::size_t) { return 1.0; },
+      [](std::size_t) { return true; });
 }
 
 /// Particle shifting by Fick's law (Lind, Xu, Stansby & Rogers 2012, J. Comput. Phys. 231), with

@@ -96,22 +96,23 @@ Solver<D>::Solver(const Case& c)
   measure_speed(ignored);
 }
 
-/// Normals of wall particles by the tank and the obstacles that they stand for; of any length one,
-/// into either side.
+/// Unit normals of wall particles, by the tank or the obstacle that they stand for. Their sign is
+/// open: only the direction is used.
 template <int D>
 void Solver<D>::find_wall_normals(const Case& c) {
   wall_normal_.assign(p_.size(), Vec<D>{});
   for (std::size_t i = 0; i < p_.size(); ++i) {
     if (is_fluid(i)) continue;
-    Vec<D> n = outside_of<D>(c.tank.box, p_.position(i));
+    Vec<D> n{};
+    if (c.has_tank) n = outside_of<D>(c.tank.box, p_.position(i));
     if (squared_norm<D>(n) == 0.0) {
       for (const Box& obstacle : c.obstacles)
         if (squared_norm<D>(outside_of<D>(obstacle, p_.position(i))) == 0.0)
           n = to_nearest_face<D>(obstacle, p_.position(i));
     }
     const double length = std::sqrt(squared_norm<D>(n));
-    for (int a = 0; a < D; ++a)
-      wall_normal_[static_cast<std::size_t>(p_.id[i])][a] = length > 0.0 ? n[a] / length : 0.0;
+    if (length == 0.0) continue;
+    for (int a = 0; a < D; ++a) wall_normal_[static_cast<std::size_t>(p_.id[i])][a] = n[a] / length;
   }
 }
 
