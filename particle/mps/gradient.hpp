@@ -48,14 +48,11 @@ Vec<D> gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
                 const Displacement<D>& displacement, double re, double n0, double reference,
                 Phi&& phi, Counts&& counts) {
   Vec<D> sum{};
-  for (const std::uint32_t j : neighbours) {
-    if (!counts(j)) continue;
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    const double factor = (phi(j) - reference) / r2 * mps_weight(std::sqrt(r2), re);
-    for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
-  }
+  for_each_within<D>(
+      i, neighbours, displacement, re, counts, [&](std::size_t j, const Vec<D>& d, double r2) {
+        const double factor = (phi(j) - reference) / r2 * mps_weight(std::sqrt(r2), re);
+        for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
+      });
   for (double& component : sum) component *= D / n0;
   return sum;
 }
@@ -87,17 +84,14 @@ std::optional<Vec<D>> corrected_gradient(std::size_t i, std::span<const std::uin
   using Matrix = std::array<Vec<D>, D>;
   Matrix moment{};
   Vec<D> sum{};
-  for (const std::uint32_t j : neighbours) {
-    if (!counts(j)) continue;
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    const double weight = mps_weight(std::sqrt(r2), re) / r2;
-    for (int a = 0; a < D; ++a) {
-      sum[a] += weight * (phi(j) - phi(i)) * d[a];
-      for (int b = 0; b < D; ++b) moment[a][b] += weight * d[a] * d[b];
-    }
-  }
+  for_each_within<D>(i, neighbours, displacement, re, counts,
+                     [&](std::size_t j, const Vec<D>& d, double r2) {
+                       const double weight = mps_weight(std::sqrt(r2), re) / r2;
+                       for (int a = 0; a < D; ++a) {
+                         sum[a] += weight * (phi(j) - phi(i)) * d[a];
+                         for (int b = 0; b < D; ++b) moment[a][b] += weight * d[a] * d[b];
+                       }
+                     });
   return solve_spd<D>(moment, sum, limit * n0 / D);
 }
 

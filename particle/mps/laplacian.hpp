@@ -62,16 +62,13 @@ Vec<D> deformation_sum(std::size_t i, std::span<const std::uint32_t> neighbours,
                        const Displacement<D>& displacement, double re,
                        const std::array<Field, D>& v, Counts&& counts) {
   Vec<D> sum{};
-  for (const std::uint32_t j : neighbours) {
-    if (!counts(j)) continue;
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    double approach = 0.0;
-    for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
-    const double factor = (D + 2) * approach / r2 * mps_weight(std::sqrt(r2), re);
-    for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
-  }
+  for_each_within<D>(
+      i, neighbours, displacement, re, counts, [&](std::size_t j, const Vec<D>& d, double r2) {
+        double approach = 0.0;
+        for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
+        const double factor = (D + 2) * approach / r2 * mps_weight(std::sqrt(r2), re);
+        for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
+      });
   return sum;
 }
 

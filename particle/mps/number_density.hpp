@@ -20,6 +20,20 @@ double number_density(std::size_t i, std::span<const std::uint32_t> neighbours,
   return n;
 }
 
+/// Calls f(j, x_j - x_i, r^2) for the neighbours within re (m) that `counts` lets in: what the
+/// models of gradient and divergence sum over.
+template <int D, class Counts, class F>
+void for_each_within(std::size_t i, std::span<const std::uint32_t> neighbours,
+                     const Displacement<D>& displacement, double re, Counts&& counts, F&& f) {
+  for (const std::uint32_t j : neighbours) {
+    if (!counts(j)) continue;
+    const Vec<D> d = displacement(i, j);
+    const double r2 = squared_norm<D>(d);
+    if (r2 >= re * re || r2 == 0.0) continue;
+    f(j, d, r2);
+  }
+}
+
 /// Sum of f(r) over the points of the infinite square (cubic) lattice of unit spacing with
 /// 0 < r < re, re in units of the spacing.
 template <int D, class F>

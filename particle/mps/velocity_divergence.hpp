@@ -17,16 +17,13 @@ double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbo
                            const Displacement<D>& displacement, double re, double n0,
                            Relative&& relative, Counts&& counts) {
   double sum = 0.0;
-  for (const std::uint32_t j : neighbours) {
-    if (!counts(j)) continue;
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    const Vec<D> v = relative(j);
-    double approach = 0.0;
-    for (int a = 0; a < D; ++a) approach += v[a] * d[a];
-    sum += approach / r2 * mps_weight(std::sqrt(r2), re);
-  }
+  for_each_within<D>(i, neighbours, displacement, re, counts,
+                     [&](std::size_t j, const Vec<D>& d, double r2) {
+                       const Vec<D> v = relative(j);
+                       double approach = 0.0;
+                       for (int a = 0; a < D; ++a) approach += v[a] * d[a];
+                       sum += approach / r2 * mps_weight(std::sqrt(r2), re);
+                     });
   return D / n0 * sum;
 }
 
@@ -41,19 +38,16 @@ std::optional<double> corrected_divergence(std::size_t i, std::span<const std::u
                                            Counts&& counts) {
   std::array<Vec<D>, D> moment{};
   std::array<Vec<D>, D> sum{};  // one row per component of v
-  for (const std::uint32_t j : neighbours) {
-    if (!counts(j)) continue;
-    const Vec<D> d = displacement(i, j);
-    const double r2 = squared_norm<D>(d);
-    if (r2 >= re * re || r2 == 0.0) continue;
-    const double weight = mps_weight(std::sqrt(r2), re) / r2;
-    const Vec<D> v = relative(j);
-    for (int a = 0; a < D; ++a)
-      for (int b = 0; b < D; ++b) {
-        moment[a][b] += weight * d[a] * d[b];
-        sum[a][b] += weight * v[a] * d[b];
-      }
-  }
+  for_each_within<D>(i, neighbours, displacement, re, counts,
+                     [&](std::size_t j, const Vec<D>& d, double r2) {
+                       const double weight = mps_weight(std::sqrt(r2), re) / r2;
+                       const Vec<D> v = relative(j);
+                       for (int a = 0; a < D; ++a)
+                         for (int b = 0; b < D; ++b) {
+                           moment[a][b] += weight * d[a] * d[b];
+                           sum[a][b] += weight * v[a] * d[b];
+                         }
+                     });
   double trace = 0.0;
   for (int a = 0; a < D; ++a) {
     const auto gradient = solve_spd<D>(moment, sum[a], limit * n0 / D);
