@@ -38,6 +38,8 @@ std::vector<Figure> figures_of(const StudyResult& study) {
   if (study.has_reference())
     for (const auto& definition : all_figures()) figures.push_back(definition.make(study));
   if (study.has_reference())
+    for (Figure& figure : wall_pressure_figures(study)) figures.push_back(std::move(figure));
+  if (study.has_reference())
     for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));
   for (Figure& figure : verification_figures(study)) figures.push_back(std::move(figure));
   return figures;

@@ -41,6 +41,10 @@ namespace surge::compare {
 [[nodiscard]] Figure sph_sensitivity_figure(const StudyResult& study);
 [[nodiscard]] Figure vof_sensitivity_figure(const StudyResult& study);
 
+/// Pressure on the far wall at the impact, a panel per run over the reference; none where the
+/// reference has no probe there.
+[[nodiscard]] std::vector<Figure> wall_pressure_figures(const StudyResult& study);
+
 /// Z/L over the spacing with the extrapolated values, and error over cost; none where the study has
 /// no runs of role convergence.
 [[nodiscard]] std::vector<Figure> convergence_figures(const StudyResult& study);

@@ -11,8 +11,9 @@ using nlohmann::json;
 namespace {
 
 /// Figures that stand in another section, and where.
-constexpr std::array<std::array<const char*, 3>, 2> elsewhere{
-    {{"patterns", "The figure of the flow patterns", "below, with its tables"},
+constexpr std::array<std::array<const char*, 3>, 3> elsewhere{
+    {{"wall_pressure", "The figure of the wall pressure", "below, with its table"},
+     {"patterns", "The figure of the flow patterns", "below, with its tables"},
      {"fig8", "Fig. 8, motion of the leading edge", "in the summary"}}};
 
 json interaction_json(const StudyResult& study) {

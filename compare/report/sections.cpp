@@ -8,11 +8,12 @@
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
-  static const std::array<Section, 14> sections{
+  static const std::array<Section, 15> sections{
       {{"summary", "", measure_summary, write_summary},
        {"viewer", "The flow in motion", measure_viewer, write_viewer},
        {"figures", "Figures", measure_figures, write_figures},
        {"flow", "Flow patterns and fragments", measure_patterns, write_patterns},
+       {"pressure", "Wall pressure at the impact", measure_wall_pressure, write_wall_pressure},
        {"claims", "The paper’s statements", measure_claims, write_claims},
        {"scaling", "Cost over the number of particles", measure_scaling, write_scaling},
        {"sensitivity", "What the paper leaves open", measure_sensitivity, write_sensitivity},

@@ -41,6 +41,8 @@ void measure_figures(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_figures(const Page& page);
 /// Measured by measure_patterns() of claims.hpp.
 [[nodiscard]] std::string write_patterns(const Page& page);
+void measure_wall_pressure(const StudyResult& study, nlohmann::json& metrics);
+[[nodiscard]] std::string write_wall_pressure(const Page& page);
 void measure_runs(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_runs(const Page& page);
 [[nodiscard]] std::string write_experiments(const Page& page);

@@ -116,6 +116,7 @@ def manifest():
     processes = re.search(r"^nProcs : (\d+)", log, re.M)
     volumes = [float(row[1]) for row in rows("waterVolume")]
     thickness = numbers(pathlib.Path("log.blockMesh").read_text().split("boundingBox:")[1])[5]
+    probe = flat(numbers(entry(control, "functions/wallPressure/probeLocations")))
     filled = (block["upper"][0] - block["lower"][0]) * (block["upper"][1] - block["lower"][1])
     initial = filled * thickness
     extremes = [(float(row[2]), float(row[4])) for row in rows("alphaRange")]
@@ -159,6 +160,7 @@ def manifest():
             "tank": tank,
             "blocks": [block],
             "obstacles": [],
+            "probes": [{"name": "wall_pressure", "position": probe}],
             "time": {
                 "end": end,
                 "initial_step": number(control, "deltaT"),

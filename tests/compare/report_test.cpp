@@ -121,8 +121,9 @@ TEST(Report, SectionsComeInTheOrderOfThePaperAndShowEveryFigureOnce) {
   const Written report = write(files);
   std::size_t last = 0;
   for (const char* id :
-       {"summary", "fig8", "viewer", "figures", "fig1", "fig2", "fig3", "fig4", "fig5", "fig6",
-        "fig7", "fig9", "flow", "patterns", "claims", "runs", "errata", "provenance"}) {
+       {"summary",  "fig8",          "viewer", "figures", "fig1",   "fig2",      "fig3",
+        "fig4",     "fig5",          "fig6",   "fig7",    "fig9",   "flow",      "patterns",
+        "pressure", "wall_pressure", "claims", "runs",    "errata", "provenance"}) {
     const std::string anchor = std::string(" id=\"") + id + "\"";
     const auto at = report.page.find(anchor);
     ASSERT_NE(at, std::string::npos) << id;
@@ -163,6 +164,29 @@ TEST(Report, StatesWhatTheRunsWereMadeToShow) {
   EXPECT_THAT(report.page, HasSubstr("is reproduced by these runs"));
   EXPECT_THAT(report.table, HasSubstr("sph-a"));
   EXPECT_THAT(report.table, HasSubstr("0.0200"));
+}
+
+TEST(Report, WallPressureIsThatOfTheProbes) {
+  const SyntheticStudy files;
+  const Written report = write(files);
+  const json& runs = report.metrics["wall_pressure"]["runs"];
+  EXPECT_NEAR(runs["vof-20"]["peak"], 1.0, 1e-6);
+  EXPECT_NEAR(runs["mps-a"]["impulse"], 4.0, 1e-6);
+  EXPECT_NEAR(runs["mps-a"]["noise"], 0.0, 1e-6);
+  EXPECT_NEAR(runs["sph-a"]["noise"], 0.5 / std::sqrt(2.0), 0.005);
+  EXPECT_NEAR(runs["sph-a"]["median_step_s"], 1e-5, 1e-9);
+  EXPECT_THAT(report.page, HasSubstr("id=\"wall_pressure\""));
+}
+
+TEST(Report, StudyWithoutAProbeHasNoWallPressure) {
+  const SyntheticStudy files;
+  const auto file = files.runs() / "vof-20/manifest.json";
+  json manifest = json::parse(read_text(file));
+  manifest["case"].erase("probes");
+  testing::write_text(file, manifest.dump());
+  const Written report = write(files);
+  EXPECT_TRUE(report.metrics["wall_pressure"].empty());
+  EXPECT_THAT(report.page, Not(HasSubstr("wall_pressure\"")));
 }
 
 TEST(Report, TheOtherVerdictIsWrittenToo) {

@@ -25,6 +25,7 @@ class SyntheticStudy {
     nlohmann::json manifest = dam_break_manifest();
     manifest["finished"] = finished;
     manifest["case"]["method"]["name"] = method;
+    manifest["case"]["probes"] = {{{"name", "wall_pressure"}, {"position", {0.58, 0.0145, 0}}}};
     if (method == "sph") {
       manifest["case"]["method"]["parameters"] = {
           {"gamma", 7.0}, {"density_diffusion", 0.1}, {"h_over_l0", 1.2}, {"brand_new", "x<y"}};
@@ -37,6 +38,19 @@ class SyntheticStudy {
         [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); },
         manifest);
     if (method != "vof") write_sheet(name, method);
+    write_steps(name, method, finished ? 0.5 : end);
+  }
+
+  /// The probe on the wall, in units of rho g H = 2844.9 Pa: 1 for the reference, 2 for MPS, and
+  /// for SPH 1.5 with a wave of amplitude 0.5 and 1 kHz.
+  void write_steps(const std::string& name, const std::string& method, double end) const {
+    std::string csv = "time,dt,wall_pressure\n";
+    for (int k = 0; k * 1e-5 <= end; ++k) {
+      const double t = k * 1e-5, wave = 1.5 + 0.5 * std::sin(2e3 * std::acos(-1.0) * t);
+      const double p = method == "vof" ? 1.0 : method == "mps" ? 2.0 : wave;
+      csv += std::to_string(t) + ",1e-05," + std::to_string(1000 * 9.81 * 0.29 * p) + "\n";
+    }
+    write_text(folder_ / ("runs/" + name + "/steps.csv"), csv);
   }
 
   /// What a run computed with, as surge-particle writes it; radii of 2.1 and 3.9 spacings, h = 6

@@ -75,7 +75,11 @@ run() {
     'm["case"]["tank"]["upper"] == [0.58, 2.32, 0]' 'm["case"]["tank"]["wall"] == "slip"' \
     'm["case"]["blocks"][0]["upper"] == [0.145, 0.29, 0]' 'm["case"]["dimension"] == 2' \
     'm["case"]["fluid"]["gravity"] == [0, -9.81, 0]' 'm["case"]["method"]["name"] == "vof"' \
-    'm["case"]["fluid"]["density"] == 1000' 'm["case"]["time"]["end"] == 0.02'
+    'm["case"]["fluid"]["density"] == 1000' 'm["case"]["time"]["end"] == 0.02' \
+    'm["case"]["probes"][0]["name"] == "wall_pressure"' \
+    'abs(m["case"]["probes"][0]["position"][0] - 0.58) < 1e-6' \
+    'abs(m["case"]["probes"][0]["position"][1] - 0.0145) < 1e-9' \
+    'len((folder / "postProcessing/wallPressure/0/p").read_text().splitlines()) > m["steps"]'
   cp -p "$folder/manifest.json" "$scratch/first.json"
 
   "$folder/Allrun" >"$scratch/output"
@@ -107,7 +111,9 @@ choices() {
     'm["case"]["tank"]["upper"] == [0.58, 1.16, 0]'
 }
 
-# Water at rest across the whole tank stays at rest: no velocity that would be seen in a figure.
+# Water at rest across the whole tank stays at rest: no velocity that would be seen in a figure, and
+# its weight at the probe on the wall: p = (rhoWater - rhoAir) g 2L - rhoWater g L/10, because p is
+# zero in air at the height of the floor.
 rest() {
   make_case "$scratch/case" columnWidth=4 'title="Still water"' endTime=0.1 writeInterval=0.1
   "$scratch/case/Allrun" >"$scratch/output"
@@ -120,6 +126,9 @@ fastest = max(abs(float(x)) for x in re.sub("[()]", " ", values).split())
 print("fastest, m/s:", fastest)
 assert fastest < 1e-3
 TEXT
+  awk '!/^#/ { p = $2 } END { exact = 999 * 9.81 * 0.29 - 1000 * 9.81 * 0.0145
+    print "pressure at the wall, Pa:", p, exact; exit !((p - exact) ^ 2 < (1e-4 * exact) ^ 2) }' \
+    "$scratch/case/postProcessing/wallPressure/0/p" || fail "pressure at the wall"
 }
 
 # Edges of the column on cell faces at every resolution of the studies: no cell is cut.
