@@ -37,69 +37,66 @@ json entry_of(const RunResult* run, const json& metrics, const std::string& agai
           {"wall_s", timing.contains("wall_s") ? timing["wall_s"] : json()}};
 }
 
-std::string accuracy_sentence(const Page& page, const std::string& method) {
-  const std::string at = "/summary/methods/" + method;
-  if (!page.values.has(at)) {
-    return "No " + escape(method == "mps" ? "MPS" : "SPH") + " run of this study is complete.";
-  }
-  const Values& v = page.values;
-  return v.text(at + "/label") + " stays within RMS " + v.number(at + "/rms", 3) + " (maximum " +
-         v.number(at + "/max", 3) + ", bias " + v.signed_number(at + "/bias", 3) + ") of " +
-         v.text("/summary/reference_label") + " in Z/L before the far wall.";
-}
-
-std::string verdict_sentence(const Page& page) {
-  const Values& v = page.values;
-  if (!v.has("/summary/nearer")) {
-    return "Which of MPS and SPH is nearer to the reference cannot be said, because one of them is "
-           "not there.";
-  }
-  const bool mps = v.at("/summary/nearer") == "MPS";
-  return v.text("/summary/nearer") + " is the nearer of the two to " +
-         v.text("/summary/reference_label") + ", its RMS difference is " +
-         v.number("/summary/rms_ratio", 2) +
-         " times that of the other: the paper’s finding, that MPS " + "is the more accurate, is " +
-         (mps ? "" : "not ") + "reproduced by these runs.";
-}
-
-std::string cost_sentence(const Page& page) {
-  const Values& v = page.values;
-  std::string text;
-  const auto add = [&](const std::string& label, const std::string& seconds) {
-    if (!v.has(seconds)) return;
-    text += (text.empty() ? "" : ", ") + v.magnitude(seconds) + " s for " + v.text(label);
-  };
-  for (const char* method : {"mps", "sph"}) {
-    const std::string at = std::string("/summary/methods/") + method;
-    if (v.has(at)) add(at + "/label", at + "/wall_s");
-  }
-  add("/summary/reference_label", "/summary/reference_wall_s");
-  return text.empty() ? "No run states its cost." : "Wall time of the whole run: " + text + ".";
-}
-
-std::string claims_sentence(const Page& page) {
-  const Values& v = page.values;
-  const std::string at = "/claim_counts/";
-  return "Of the statements that the paper makes from its results, these runs can judge " +
-         v.integer(at + "judged") + ": " + v.integer(at + "reproduced") + " are reproduced, " +
-         v.integer(at + "not reproduced") + " are not, and " + v.integer(at + "depends") +
-         " depend on a choice that <a href=\"#claims\">the table</a> names.";
+std::string method_at(const char* method) {
+  return std::string("/summary/methods/") + method;
 }
 
 /// What was run, and on what.
-std::string machine_sentence(const Page& page) {
+std::string runs_sentence(const Page& page) {
+  const Values& v = page.values;
+  std::string machine;
+  for (std::size_t i = 0; i < v.at("/summary/processors").size(); ++i)
+    machine += (i ? "; " : "") + v.text("/summary/processors/" + std::to_string(i));
+  return "The same collapse of a water column was computed by moving particle semi-implicit (MPS), "
+         "smoothed particle hydrodynamics (SPH) and OpenFOAM’s volume-of-fluid solver (VOF), and "
+         "measured in one way against " +
+         v.text("/summary/reference_label") + ": " + v.integer("/summary/complete") + " of " +
+         v.integer("/summary/asked") + " runs are complete, on " +
+         (machine.empty() ? "a machine that they do not name" : machine) + ".";
+}
+
+/// How near each method comes to the reference, and what that makes of the paper's finding.
+std::string accuracy_sentence(const Page& page) {
+  const Values& v = page.values;
   std::string text;
-  for (std::size_t i = 0; i < page.values.at("/summary/processors").size(); ++i) {
-    text += (i ? "; " : "") + page.values.text("/summary/processors/" + std::to_string(i));
+  for (const char* method : {"mps", "sph"}) {
+    const std::string at = method_at(method);
+    if (!v.has(at)) continue;
+    text += (text.empty() ? "" : ", ") + v.text(at + "/label") + " within RMS " +
+            v.number(at + "/rms", 3) + " (at most " + v.number(at + "/max", 3) + ")";
   }
-  return "<p>The same collapse of a water column by moving particle semi-implicit (MPS), smoothed "
-         "particle hydrodynamics (SPH) and OpenFOAM’s volume-of-fluid solver (VOF), measured in "
-         "one "
-         "way. The reference is " +
-         page.values.text("/summary/reference_label") + ". " +
-         page.values.integer("/summary/complete") + " of " + page.values.integer("/summary/asked") +
-         " runs are complete, computed on " +
-         (text.empty() ? "a machine that the runs do not name" : text) + ".</p>\n";
+  if (!text.empty())
+    text = "The leading edge Z/L stays, until it is at the far wall, near that of the reference: " +
+           text + "; ";
+  if (!v.has("/summary/nearer")) {
+    return text + (text.empty() ? "W" : "w") +
+           "hich of MPS and SPH is nearer to the reference cannot be said, because one of them is "
+           "not there.";
+  }
+  return text + v.text("/summary/nearer") + " is the nearer of the two, its difference is " +
+         v.number("/summary/rms_ratio", 2) +
+         " times that of the other, and the paper’s finding that MPS is the more accurate is " +
+         (v.at("/summary/nearer") == "MPS" ? "" : "not ") + "reproduced by these runs.";
+}
+
+/// What it cost, and how the paper's statements fare.
+std::string cost_sentence(const Page& page) {
+  const Values& v = page.values;
+  std::string cost;
+  const auto add = [&](const std::string& label, const std::string& seconds) {
+    if (!v.has(seconds)) return;
+    cost += (cost.empty() ? "" : ", ") + v.magnitude(seconds) + " s for " + v.text(label);
+  };
+  for (const char* method : {"mps", "sph"})
+    if (v.has(method_at(method))) add(method_at(method) + "/label", method_at(method) + "/wall_s");
+  add("/summary/reference_label", "/summary/reference_wall_s");
+  const std::string at = "/claim_counts/";
+  return (cost.empty() ? "No run states its cost" : "The whole runs took " + cost) +
+         "; of the statements that the paper makes from its results these runs can judge " +
+         v.integer(at + "judged") + ", of which " + v.integer(at + "reproduced") +
+         " are reproduced, " + v.integer(at + "not reproduced") + " are not, and " +
+         v.integer(at + "depends") +
+         " depend on a choice that <a href=\"#claims\">their table</a> names.";
 }
 
 }  // namespace
@@ -140,7 +137,11 @@ void measure_summary(const StudyResult& study, json& metrics) {
 }
 
 std::string write_summary(const Page& page) {
-  std::string html = machine_sentence(page);
+  std::string html = "<div class=\"answer\">\n";
+  for (const std::string& sentence :
+       {runs_sentence(page), accuracy_sentence(page), cost_sentence(page)})
+    html += "<p>" + sentence + "</p>\n";
+  html += "</div>\n";
   for (const auto& run : page.study.runs) {
     if (run.status == RunStatus::complete && run.note.empty()) continue;
     const std::string at = key({"runs", run.study.name});
@@ -148,9 +149,6 @@ std::string write_summary(const Page& page) {
             page.values.text(at + "/status") +
             (run.note.empty() ? "" : ": " + page.values.text(at + "/note")) + ".</p>\n";
   }
-  html += "<div class=\"answer\">\n<p>" + accuracy_sentence(page, "mps") + " " +
-          accuracy_sentence(page, "sph") + "</p>\n<p>" + verdict_sentence(page) + "</p>\n<p>" +
-          claims_sentence(page) + "</p>\n<p>" + cost_sentence(page) + "</p>\n</div>\n";
   return html + figure_html(page, "fig8");
 }
 

@@ -155,6 +155,23 @@ TEST(Report, SummaryCountsTheVerdicts) {
   EXPECT_GT(told["judged"], 3);
 }
 
+TEST(Report, AnswerIsThreeSentencesAndAFigure) {
+  const SyntheticStudy files;
+  const std::string page = write(files).page;
+  const auto begin = page.find("<div class=\"answer\">");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string answer = page.substr(begin, page.find("</div>", begin) - begin);
+  const auto count = [](const std::string& text, const std::string& what) {
+    std::size_t found = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count(answer, "<p>"), 3U);
+  EXPECT_EQ(count(std::regex_replace(answer, std::regex("<[^>]*>"), ""), ".\n"), 3U);
+  const std::string summary = page.substr(begin, page.find("<section id=", begin) - begin);
+  EXPECT_EQ(count(summary, "<figure"), 1U);
+}
+
 TEST(Report, StatesWhatTheRunsWereMadeToShow) {
   const SyntheticStudy files;
   const Written report = write(files);
