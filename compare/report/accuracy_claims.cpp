@@ -8,9 +8,11 @@ namespace {
 
 constexpr double good_agreement = 0.05;  ///< in Z/L
 
-json rms_of(const StudyResult& study, const json& metrics, const RunResult& run) {
+ValueOf rms_against_reference(const StudyResult& study, const json& metrics) {
   const bool vof = study.reference_run().run.method == "vof";
-  return number_of(metrics, "front", run, vof ? "/rms_vs_vof" : "/rms_vs_reference");
+  return [&metrics, vof](const RunResult& run) {
+    return number_of(metrics, "front", run, vof ? "/rms_vs_vof" : "/rms_vs_reference");
+  };
 }
 
 }  // namespace
@@ -25,14 +27,11 @@ Claim agreement_claim(const StudyResult& study, const json& metrics, const std::
                   "experiments can be read (0.15), and one cell of a mesh of 20 cells per L",
               "",
               {}};
-  std::size_t met = 0;
   const Runs runs = complete_runs(study, method);
-  for (const RunResult* run : runs) {
-    const json rms = rms_of(study, metrics, *run);
-    met += rms.is_number() && rms.get<double>() <= good_agreement ? 1 : 0;
-    claim.evidence.push_back({"RMS, " + run->label(), rms});
-  }
-  claim.verdict = verdict_of(met, runs.size(), "the formulation: not all of the runs meet it");
+  const ValueOf rms = rms_against_reference(study, metrics);
+  add_evidence(claim, "RMS, ", runs, rms);
+  claim.verdict = verdict_of(count_runs(runs, rms, [](double x) { return x <= good_agreement; }),
+                             "the formulation: not all of the runs meet it");
   return claim;
 }
 
@@ -44,14 +43,10 @@ Claim accuracy_claim(const StudyResult& study, const json& metrics) {
               "",
               {}};
   const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
-  for (const Runs& runs : {mps, sph}) {
-    for (const RunResult* run : runs)
-      claim.evidence.push_back({"RMS, " + run->label(), rms_of(study, metrics, *run)});
-  }
-  const PairCount count = compare_pairs(
-      mps, sph, [&](const RunResult& run) { return rms_of(study, metrics, run); },
-      [](double of_mps, double of_sph) { return of_mps < of_sph; });
-  claim.verdict = verdict_of(count.met, count.all, "the formulation");
+  const ValueOf rms = rms_against_reference(study, metrics);
+  add_evidence(claim, "RMS, ", mps, rms);
+  add_evidence(claim, "RMS, ", sph, rms);
+  claim.verdict = verdict_of(count_pairs(mps, sph, rms, std::less<>()), "the formulation");
   return claim;
 }
 

@@ -28,26 +28,35 @@ using Runs = std::vector<const RunResult*>;
 /// A resolved parameter of the run's method; null where the run does not state it.
 [[nodiscard]] nlohmann::json parameter_of(const RunResult& run, const std::string& name);
 
-/// reproduced, not reproduced or "depends on CONDITION" by how many of how many meet the criterion.
-[[nodiscard]] std::string verdict_of(std::size_t met, std::size_t all,
-                                     const std::string& condition);
-
 /// "MPS", "SPH"
 [[nodiscard]] std::string upper_name(const std::string& method);
 
-/// Counts of comparisons between the runs of both methods.
-struct PairCount {
+/// How many of how many meet a criterion.
+struct Count {
   std::size_t met = 0, all = 0;
-  PairCount& operator+=(const PairCount& other) {
+  void add(bool meets) {
+    met += meets ? 1 : 0;
+    ++all;
+  }
+  Count& operator+=(const Count& other) {
     met += other.met;
     all += other.all;
     return *this;
   }
 };
-/// Every run of the one with every run of the other for which the value is known.
-[[nodiscard]] PairCount compare_pairs(const Runs& mps, const Runs& sph,
-                                      const std::function<nlohmann::json(const RunResult&)>& value,
-                                      const std::function<bool(double mps, double sph)>& as_said);
+/// reproduced, not reproduced, "depends on CONDITION", or not measured where there is none at all.
+[[nodiscard]] std::string verdict_of(const Count& count, const std::string& condition);
+
+/// A number of a run; null where it is not known.
+using ValueOf = std::function<nlohmann::json(const RunResult&)>;
+/// The runs' numbers as evidence, each called `what` and the run's label.
+void add_evidence(Claim& claim, const std::string& what, const Runs& runs, const ValueOf& value);
+/// The runs whose number is known.
+[[nodiscard]] Count count_runs(const Runs& runs, const ValueOf& value,
+                               const std::function<bool(double)>& meets);
+/// Every MPS run with every SPH run for which the numbers are known.
+[[nodiscard]] Count count_pairs(const Runs& mps, const Runs& sph, const ValueOf& value,
+                                const std::function<bool(double mps, double sph)>& as_said);
 
 [[nodiscard]] Claim agreement_claim(const StudyResult& study, const nlohmann::json& metrics,
                                     const std::string& method);

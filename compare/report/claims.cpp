@@ -33,27 +33,36 @@ json parameter_of(const RunResult& run, const std::string& name) {
   return number_at(run.manifest, pointer / name);
 }
 
-std::string verdict_of(std::size_t met, std::size_t all, const std::string& condition) {
-  if (all == 0) return not_measured;
-  if (met == all) return reproduced;
-  return met == 0 ? not_reproduced : "depends on " + condition;
-}
-
 std::string upper_name(const std::string& method) {
   return method == "mps" ? "MPS" : "SPH";
 }
 
-PairCount compare_pairs(const Runs& mps, const Runs& sph,
-                        const std::function<json(const RunResult&)>& value,
-                        const std::function<bool(double mps, double sph)>& as_said) {
-  PairCount count;
-  for (const RunResult* a : mps) {
-    for (const RunResult* b : sph) {
-      const json of_mps = value(*a), of_sph = value(*b);
-      if (!of_mps.is_number() || !of_sph.is_number()) continue;
-      ++count.all;
-      count.met += as_said(of_mps.get<double>(), of_sph.get<double>()) ? 1 : 0;
-    }
+std::string verdict_of(const Count& count, const std::string& condition) {
+  if (count.all == 0) return not_measured;
+  if (count.met == count.all) return reproduced;
+  return count.met == 0 ? not_reproduced : "depends on " + condition;
+}
+
+void add_evidence(Claim& claim, const std::string& what, const Runs& runs, const ValueOf& value) {
+  for (const RunResult* run : runs) claim.evidence.push_back({what + run->label(), value(*run)});
+}
+
+Count count_runs(const Runs& runs, const ValueOf& value, const std::function<bool(double)>& meets) {
+  Count count;
+  for (const RunResult* run : runs) {
+    const json known = value(*run);
+    if (known.is_number()) count.add(meets(known.get<double>()));
+  }
+  return count;
+}
+
+Count count_pairs(const Runs& mps, const Runs& sph, const ValueOf& value,
+                  const std::function<bool(double mps, double sph)>& as_said) {
+  Count count;
+  for (const RunResult* run : mps) {
+    const json of_mps = value(*run);
+    if (!of_mps.is_number()) continue;
+    count += count_runs(sph, value, [&](double of_sph) { return as_said(of_mps, of_sph); });
   }
   return count;
 }

@@ -14,7 +14,7 @@ constexpr double quadratic = 0.15;  ///< deviation of the exponent from two
 /// A quantity in which SPH is compared with MPS, and how that came out.
 struct Comparison {
   std::string where;  ///< "per step with the paper's step rule"
-  PairCount count;
+  Count count;
 };
 
 /// SPH runs whose step the speed of sound limits too, or those without that limit.
@@ -38,14 +38,11 @@ std::vector<Comparison> compare_whole_runs(const StudyResult& study, const json&
     const auto value = [&](const RunResult& run) {
       return number_of(metrics, "cost", run, pointer);
     };
-    for (const Runs& runs : {mps, sph}) {
-      for (const RunResult* run : runs)
-        claim.evidence.push_back({unit + run->label(), value(*run)});
-    }
+    add_evidence(claim, unit, mps, value);
+    add_evidence(claim, unit, sph, value);
     for (const bool acoustic : {false, true}) {
-      const PairCount count =
-          compare_pairs(mps, with_acoustic_limit(sph, acoustic), value,
-                        [](double of_mps, double of_sph) { return of_sph < of_mps; });
+      const Count count =
+          count_pairs(mps, with_acoustic_limit(sph, acoustic), value, std::greater<>());
       out.push_back({std::string(name) + (acoustic ? " with an acoustic limit of the step"
                                                    : " with the paper’s step rule"),
                      count});
@@ -105,14 +102,14 @@ Claim cost_claim(const StudyResult& study, const json& metrics) {
               {}};
   std::vector<Comparison> all = compare_whole_runs(study, metrics, claim);
   for (Comparison& timed : compare_timed_runs(metrics, claim)) all.push_back(std::move(timed));
-  PairCount sum;
+  Count sum;
   std::string fails;
   for (const Comparison& comparison : all) {
     sum += comparison.count;
     if (comparison.count.met < comparison.count.all)
       fails += (fails.empty() ? "" : ", ") + comparison.where;
   }
-  claim.verdict = verdict_of(sum.met, sum.all, "the quantity: not so " + fails);
+  claim.verdict = verdict_of(sum, "the quantity: not so " + fails);
   return claim;
 }
 
@@ -123,14 +120,13 @@ Claim pressure_claim(const StudyResult& study, const json& metrics) {
               "the pressure takes more than half of the solving time of every MPS run",
               "",
               {}};
-  std::size_t met = 0;
   const Runs runs = complete_runs(study, "mps");
-  for (const RunResult* run : runs) {
-    const json share = number_of(metrics, "cost", *run, "/share/pressure");
-    met += share.is_number() && share.get<double>() > 0.5 ? 1 : 0;
-    claim.evidence.push_back({"part of the time, " + run->label(), share});
-  }
-  claim.verdict = verdict_of(met, runs.size(), "the pressure solver");
+  const ValueOf share = [&](const RunResult& run) {
+    return number_of(metrics, "cost", run, "/share/pressure");
+  };
+  add_evidence(claim, "part of the time, ", runs, share);
+  claim.verdict =
+      verdict_of(count_runs(runs, share, [](double x) { return x > 0.5; }), "the pressure solver");
   return claim;
 }
 
@@ -144,17 +140,16 @@ Claim growth_claim(const json& metrics) {
                   "that much changes the time by a factor of 1.6",
               "",
               {}};
-  std::size_t met = 0, all = 0;
+  Count count;
   std::set<std::string> methods;
   for (const auto& [name, curve] : metrics["scaling"].items()) {
     const json exponent = number_at(curve, json::json_pointer("/fit_per_step/exponent"));
     claim.evidence.push_back({"exponent, " + curve["label"].get<std::string>(), exponent});
     if (curve["search"] != "all_pairs" || !exponent.is_number()) continue;
     methods.insert(curve["method"].get<std::string>());
-    ++all;
-    met += std::abs(exponent.get<double>() - 2.0) <= quadratic ? 1 : 0;
+    count.add(std::abs(exponent.get<double>() - 2.0) <= quadratic);
   }
-  claim.verdict = methods.size() < 2 ? not_measured : verdict_of(met, all, "the method");
+  claim.verdict = methods.size() < 2 ? not_measured : verdict_of(count, "the method");
   return claim;
 }
 

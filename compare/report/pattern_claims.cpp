@@ -92,20 +92,18 @@ Claim pattern_claim(const StudyResult& study, const json& metrics) {
           "outline, 4 L of it, is displaced by a cell of 20 per L",
       "",
       {}};
-  std::size_t met = 0, all = 0;
+  Count count;
   for (const char* when : {"before", "after"}) {
+    const ValueOf mean = [&](const RunResult& run) {
+      return number_of(metrics, "patterns", run, std::string("/overlap/") + when + "_mean");
+    };
     for (const char* method : {"mps", "sph"}) {
-      for (const RunResult* run : complete_runs(study, method)) {
-        const json mean =
-            number_of(metrics, "patterns", *run, std::string("/overlap/") + when + "_mean");
-        claim.evidence.push_back({std::string(when) + " impact, " + run->label(), mean});
-        if (!mean.is_number()) continue;
-        ++all;
-        met += mean.get<double>() >= alike ? 1 : 0;
-      }
+      const Runs runs = complete_runs(study, method);
+      add_evidence(claim, std::string(when) + " impact, ", runs, mean);
+      count += count_runs(runs, mean, [](double x) { return x >= alike; });
     }
   }
-  claim.verdict = verdict_of(met, all, "the time and the formulation: see the numbers");
+  claim.verdict = verdict_of(count, "the time and the formulation: see the numbers");
   return claim;
 }
 
@@ -120,12 +118,9 @@ Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
                   "fraction at the corners (mesh)",
               "",
               {}};
-  std::size_t met = 0, all = 0;
+  Count count;
   for (std::size_t c = 0; c < cohesion_count; ++c) {
-    if (const auto said = only_mps_fragments(study, metrics, c)) {
-      ++all;
-      met += *said ? 1 : 0;
-    }
+    if (const auto said = only_mps_fragments(study, metrics, c)) count.add(*said);
     for (const RunResult* run : study.measured()) {
       const bool mesh = run->measured->run.is_mesh();
       const std::string at = "/detached/" + std::to_string(c);
@@ -137,7 +132,7 @@ Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
                                 number_of(metrics, "patterns", *run, at + "/pieces_mean")});
     }
   }
-  claim.verdict = verdict_of(met, all, "how strictly water must hang together to be one piece");
+  claim.verdict = verdict_of(count, "how strictly water must hang together to be one piece");
   return claim;
 }
 
@@ -155,24 +150,21 @@ Claim clustering_claim(const StudyResult& study, const json& metrics) {
       {}};
   const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
   for (const char* when : {"median", "minimum"}) {
-    for (const Runs& runs : {mps, sph}) {
-      for (const RunResult* run : runs) {
-        const std::string what = std::string(when) == "median" ? "median smallest distance, "
-                                                               : "smallest distance ever, ";
-        claim.evidence.push_back({what + run->label(), closest(metrics, *run, when)});
-      }
-    }
+    const std::string what =
+        std::string(when) == "median" ? "median smallest distance, " : "smallest distance ever, ";
+    for (const Runs& runs : {mps, sph})
+      add_evidence(claim, what, runs,
+                   [&](const RunResult& run) { return closest(metrics, run, when); });
   }
-  for (const RunResult* run : mps) {
-    const json count = number_at(run->manifest, json::json_pointer("/particle_collisions"));
-    claim.evidence.push_back({"collisions of particles, " + run->label(), count});
-  }
-  const PairCount count = compare_pairs(
+  add_evidence(claim, "collisions of particles, ", mps, [](const RunResult& run) {
+    return number_at(run.manifest, json::json_pointer("/particle_collisions"));
+  });
+  const Count count = count_pairs(
       mps, sph, [&](const RunResult& run) { return closest(metrics, run, "median"); },
-      [](double of_mps, double of_sph) { return of_mps > of_sph; });
+      std::greater<>());
   const Runs alone = runs_without_collisions(study);
   const std::string happens = without_collisions(metrics, alone, claim);
-  claim.verdict = verdict_of(count.met, count.all, "the formulation");
+  claim.verdict = verdict_of(count, "the formulation");
   if (claim.verdict != reproduced) return claim;
   if (alone.empty())
     claim.verdict = "depends on the collisions between particles: no run of this study is without";
@@ -188,17 +180,16 @@ Claim robustness_claim(const StudyResult& study) {
               "every run comes to its end without a lost or non-finite particle",
               "",
               {}};
-  std::size_t met = 0, all = 0;
+  Count count;
   for (const RunResult* run : study.measured()) {
     if (run->measured->run.is_mesh() || run == &study.reference()) continue;
     const json lost = number_at(run->manifest, json::json_pointer("/lost_particles"));
     const json nonfinite = number_at(run->manifest, json::json_pointer("/nonfinite"));
-    ++all;
-    met += run->status == RunStatus::complete && lost == 0 && nonfinite == 0 ? 1 : 0;
+    count.add(run->status == RunStatus::complete && lost == 0 && nonfinite == 0);
     claim.evidence.push_back({"lost, " + run->label(), lost});
     claim.evidence.push_back({"non-finite, " + run->label(), nonfinite});
   }
-  claim.verdict = verdict_of(met, all, "the formulation");
+  claim.verdict = verdict_of(count, "the formulation");
   return claim;
 }
 
