@@ -12,24 +12,30 @@ namespace {
 using testing::error_of;
 using ::testing::HasSubstr;
 
+/// A run of surge-particle, and what else its table says.
+std::string particle_run(const std::string& name, const std::string& more) {
+  return "[[run]]\nname = \"" + name +
+         "\"\nprogram = \"surge-particle\"\ncase = \"particle/cases/dam_break.toml\"\n" + more;
+}
+
+/// The VOF run of `good`, and what else its table says.
+std::string vof_run(const std::string& more = "") {
+  return "[[run]]\nname = \"vof-20\"\nprogram = \"interFoam\"\ncase = \"foam_cases/damBreak2D\"\n" +
+         more;
+}
+
+/// What its MPS run is made with.
+const std::string mps_choices =
+    "set = [\"method.name=mps\", \"resolution.spacing=0.005\"]\nthreads = 2\n";
+
 const std::string good = R"(title = "Dam break"
 reference = "vof-20"
 strip_height = 0.015
 snapshot_times = [0.1, 0.2]
 published = ["martin_moyce_1952_2.25in"]
 
-[[run]]
-name = "mps-paper-0.005"
-program = "surge-particle"
-case = "particle/cases/dam_break.toml"
-set = ["method.name=mps", "resolution.spacing=0.005"]
-threads = 2
-
-[[run]]
-name = "vof-20"
-program = "interFoam"
-case = "foam_cases/damBreak2D"
-)";
+)" + particle_run("mps-paper-0.005", mps_choices) +
+                         "\n" + vof_run();
 
 Study read(std::string text, const std::string& what = "", const std::string& with = "") {
   const testing::TemporaryFolder folder;
@@ -112,15 +118,9 @@ class IncludingStudy : public ::testing::Test {
 };
 
 TEST_F(IncludingStudy, HasTheRunsOfBothAndTheOthersHeadWhereItHasNone) {
-  const Study study = read_with(R"(title = "More"
-include = ["parts/base.toml"]
-[[run]]
-name = "coarse"
-program = "surge-particle"
-case = "particle/cases/dam_break.toml"
-role = "sensitivity"
-group = "spacing"
-)");
+  const Study study =
+      read_with("title = \"More\"\ninclude = [\"parts/base.toml\"]\n" +
+                particle_run("coarse", "role = \"sensitivity\"\ngroup = \"spacing\"\n"));
   EXPECT_EQ(study.title, "More");
   EXPECT_EQ(study.reference, "vof-20");
   EXPECT_EQ(study.strip_height, Metres(0.015));
@@ -130,20 +130,10 @@ group = "spacing"
 }
 
 TEST_F(IncludingStudy, OneRunMayHaveSeveralRoles) {
-  const Study study = read_with(R"(include = ["parts/base.toml", "parts/../parts/base.toml"]
-[[run]]
-name = "mps-paper-0.005"
-program = "surge-particle"
-case = "particle/cases/dam_break.toml"
-set = ["method.name=mps", "resolution.spacing=0.005"]
-threads = 2
-role = "convergence"
-group = "mps"
-[[run]]
-name = "vof-20"
-program = "interFoam"
-case = "foam_cases/damBreak2D"
-)");
+  const Study study = read_with(
+      "include = [\"parts/base.toml\", \"parts/../parts/base.toml\"]\n" +
+      particle_run("mps-paper-0.005", mps_choices + "role = \"convergence\"\ngroup = \"mps\"\n") +
+      vof_run());
   ASSERT_EQ(study.runs.size(), 3U);
   EXPECT_EQ(std::pair(study.runs[0].name, study.runs[0].role),
             std::pair(std::string("mps-paper-0.005"), Role::comparison));
@@ -153,13 +143,7 @@ case = "foam_cases/damBreak2D"
 
 TEST_F(IncludingStudy, OneNameForTwoComputationsIsAnError) {
   const std::string error = error_of([&] {
-    (void)read_with(R"(include = ["parts/base.toml"]
-[[run]]
-name = "vof-20"
-program = "interFoam"
-case = "foam_cases/damBreak2D"
-set = ["cellsPerL=40"]
-)");
+    (void)read_with("include = [\"parts/base.toml\"]\n" + vof_run("set = [\"cellsPerL=40\"]\n"));
   });
   EXPECT_THAT(error, HasSubstr("study.toml:3: run.0.name: found \"vof-20\" a second time"));
 }
