@@ -63,9 +63,9 @@ class Run {
     try {
       Solver solver(case_);
       write_file(folder_ / "method.json", method_sheet<D>(solver, case_.spacing).dump() + "\n");
-      const double setup = seconds_since(start_);
+      record_.wall[static_cast<std::size_t>(Phase::setup)] = seconds_since(start_);
       const RunEnd end = compute<Solver, D>(solver, guard);
-      finish(end, solver.clock(), setup);
+      finish(end);
       return end;
     } catch (const std::exception& error) {
       record_.stopped = error.what();
@@ -88,19 +88,24 @@ class Run {
     try {
       const RunEnd end = loop.run();
       output.progress.close();
+      record_phases(solver.clock());
       return end;
     } catch (...) {
       output.progress.close();
+      record_phases(solver.clock());
       throw;
     }
   }
 
-  void finish(RunEnd end, const Clock& clock, double setup) {
+  /// What the phases of the steps took, whether the run came to its end or failed.
+  void record_phases(const Clock& clock) {
+    for (const Phase phase : {Phase::neighbours, Phase::pressure, Phase::forces, Phase::output})
+      record_.wall[static_cast<std::size_t>(phase)] = clock.seconds(phase);
+  }
+
+  void finish(RunEnd end) {
     record_.finished = end == RunEnd::finished;
     if (end == RunEnd::interrupted) record_.stopped = "interrupted";
-    for (std::size_t i = 0; i < phase_names.size(); ++i)
-      record_.wall[i] = clock.seconds(static_cast<Phase>(i));
-    record_.wall[static_cast<std::size_t>(Phase::setup)] = setup;
     record_.wall_total = seconds_since(start_);
     write_manifest();
     out_ << (record_.finished ? "finished: " : "interrupted: ") << number_text(record_.simulated)

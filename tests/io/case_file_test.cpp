@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "particle/core/initial_particles.hpp"
 #include "particle/io/case_checks.hpp"
 #include "particle/io/case_json.hpp"
 #include "particle/io/options.hpp"
@@ -145,6 +146,36 @@ TEST(Options, HaveNamesForEveryEnumeratorAndNoNameTwice) {
   visit_options(sph, collect);
   std::sort(names.begin(), names.end());
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+TEST(CaseFile, ObstaclesNeedNoTank) {
+  const std::string text = test::case_without_tank();
+  const auto make = [&](const std::vector<std::string>& overrides) {
+    return parse_case(text, "open.toml", overrides);
+  };
+  // Anywhere, as there is no tank to be inside of.
+  const Case c = make({"obstacle.0.lower=[-0.05,-0.03]", "obstacle.0.upper=[0.09,0.0]"});
+  EXPECT_FALSE(c.has_tank);
+  ASSERT_EQ(c.obstacles.size(), 1U);
+  EXPECT_EQ(c.obstacles[0].lower, (Point{-0.05, -0.03, 0.0}));
+  EXPECT_EQ(to_json(parse_case(to_toml(c), "again.toml")), to_json(c));
+  // Its cells are the only wall particles there are: 14 x 3 less the 12 x 1 below one layer.
+  const auto particles = initial_particles<2>(c, 1);
+  EXPECT_EQ(particles.size(), 32U + 14U * 3U - 12U);
+  EXPECT_EQ(std::count(particles.type.begin(), particles.type.end(), ParticleType::fluid), 32);
+
+  const auto refused = [&](const std::vector<std::string>& overrides) -> std::string {
+    try {
+      static_cast<void>(make(overrides));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refused({"obstacle.0.lower=[0.105,0.0]"}),
+              testing::StartsWith("open.toml:14: obstacle.0.upper: found x from 0.105 to 0.12"));
+  EXPECT_THAT(refused({"obstacle.0.lower=[0.03,0.0]"}),
+              testing::StartsWith("open.toml:9: block.0.lower: found an overlap with obstacle.0"));
 }
 
 struct Bad {

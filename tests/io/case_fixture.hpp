@@ -52,6 +52,13 @@ name = "sph"
 preset = "paper"
 )";
 
+/// The small case without its tank: the block and the obstacle in free space.
+inline std::string case_without_tank() {
+  std::string text = small_case;
+  const auto begin = text.find("[tank]");
+  return text.erase(begin, text.find("[[block]]") - begin);
+}
+
 inline Case make_case(const std::vector<std::string>& overrides = {}) {
   return parse_case(small_case, "small.toml", overrides);
 }

@@ -111,6 +111,41 @@ TEST_F(Program, WritesARunFolder) {
   }
 }
 
+TEST_F(Program, AFailedRunTellsWhereItsTimeWent) {
+  // Pressures beyond the largest number.
+  const Result result = run("run case.toml --out r --set fluid.density=1e307 2>&1");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, testing::HasSubstr("infinite or undefined"));
+  const nlohmann::json j = manifest("r");
+  EXPECT_EQ(j["finished"], false);
+  EXPECT_THAT(j["stopped"].get<std::string>(), testing::HasSubstr("infinite or undefined"));
+  double sum = 0.0;
+  for (const char* phase : {"setup", "neighbours", "forces", "output"}) {
+    EXPECT_GT(j["wall_s"][phase], 0.0) << phase;
+    sum += j["wall_s"][phase].get<double>();
+  }
+  EXPECT_LE(sum, j["wall_s"]["total"]);
+}
+
+TEST_F(Program, RunsWithAnObstacleAndNoTank) {
+  std::ofstream(folder_.path() / "open.toml") << test::case_without_tank();
+  for (const std::string method : {"mps", "sph"}) {
+    const Result result =
+        run("run open.toml --out " + method + " --set method.name=" + method +
+            " --set obstacle.0.lower=[-0.05,-0.03]" + " --set obstacle.0.upper=[0.09,0.0] 2>&1");
+    ASSERT_EQ(result.status, 0) << result.output;
+    const nlohmann::json j = manifest(method);
+    EXPECT_EQ(j["finished"], true);
+    EXPECT_EQ(j["nonfinite"], 0);
+    EXPECT_TRUE(j["case"]["tank"].is_null());
+    EXPECT_GT(j["wall_particles"], 14);
+    // The floor carries the block: without it the probe would be left behind within 0.02 s.
+    const std::string steps = test::read_text(folder_.path() / method / "steps.csv");
+    const std::string last = steps.substr(steps.find_last_of(',') + 1);
+    EXPECT_GT(std::stod(last), 0.1 * 1000 * 9.81 * 0.08) << method;
+  }
+}
+
 TEST_F(Program, ReplacesAnOlderRunAndNothingElse) {
   ASSERT_EQ(run("run case.toml --out r --set output.interval=0.002").status, 0);
   std::ofstream(folder_.path() / "r/notes.txt") << "mine";
