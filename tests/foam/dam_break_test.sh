@@ -238,6 +238,16 @@ TEXT
   manifest_holds "$scratch/case" 'm["threads"] == 1'
 }
 
+# Where lscpu does not work (no /sys), a parallel run does.
+no_sys() {
+  make_case "$scratch/case" cellsPerL=5 endTime=0.01
+  mkdir "$scratch/bin"
+  printf '#!/bin/sh\necho "lscpu: no /sys" >&2\nexit 1\n' >"$scratch/bin/lscpu"
+  chmod +x "$scratch/bin/lscpu"
+  PATH=$scratch/bin:$PATH "$scratch/case/Allrun" --np 2 >"$scratch/output"
+  manifest_holds "$scratch/case" 'm["finished"] is True' 'm["threads"] == 2'
+}
+
 # Allclean brings the template back, after a good run and after a failed one.
 clean() {
   make_case "$scratch/case"
