@@ -62,11 +62,11 @@ std::string accuracy_sentence(const Page& page) {
   for (const char* method : {"mps", "sph"}) {
     const std::string at = method_at(method);
     if (!v.has(at)) continue;
-    text += (text.empty() ? "" : ", ") + v.text(at + "/label") + " within RMS " +
-            v.number(at + "/rms", 3) + " (at most " + v.number(at + "/max", 3) + ")";
+    text += (text.empty() ? "" : " and") + std::string(" by RMS ") + v.number(at + "/rms", 3) +
+            " (at most " + v.number(at + "/max", 3) + ") for " + v.text(at + "/label");
   }
   if (!text.empty())
-    text = "The leading edge Z/L stays, until it is at the far wall, near that of the reference: " +
+    text = "Until it is at the far wall, the leading edge Z/L differs from that of the reference" +
            text + "; ";
   if (!v.has("/summary/nearer")) {
     return text + (text.empty() ? "W" : "w") +
