@@ -18,8 +18,8 @@ namespace surge::mps {
 struct PoissonSystem {
   AlignedVector<std::int32_t> row_start;  ///< size() + 1 entries
   AlignedVector<std::int32_t> column;
-  /// Entries off the diagonal, <= 0. In single precision, because reading them is what bounds the
-  /// speed of a solver: a pair's weight then has a relative error of 6e-8, and as the diagonal is
+  /// Entries off the diagonal, <= 0. In single precision, because every iteration reads all of
+  /// them: a pair's weight then has a relative error of 6e-8, and as the diagonal is
   /// the sum of the rounded weights, so has the energy of every field of pressures. All arithmetic
   /// with them is in double precision.
   AlignedVector<float> value;
