@@ -80,7 +80,7 @@ class NeighbourList {
  private:
   /// On cache lines of its own: a thread changes its size with every particle.
   struct alignas(128) Chunk {
-    std::vector<std::uint32_t> entry;
+    AlignedVector<std::uint32_t> entry;  // new entries are not set to zero first
   };
   struct Range {
     std::size_t begin;

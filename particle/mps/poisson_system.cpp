@@ -27,7 +27,7 @@ void compute_excess(const PoissonSystem& system, Field& excess) {
     double sum = system.diagonal[at];
     const auto end = static_cast<std::size_t>(system.row_start[at + 1]);
     for (auto k = static_cast<std::size_t>(system.row_start[at]); k < end; ++k) {
-      sum += system.value[k];
+      sum += static_cast<double>(system.value[k]);
     }
     excess[at] = sum > rounding * system.diagonal[at] ? sum : 0.0;
   }
@@ -42,8 +42,7 @@ double relative_residual(const PoissonSystem& system, const Field& p, BlockSum& 
     }
     return sum;
   });
-  double rhs = 0.0;
-  for (const double b : system.rhs) rhs += b * b;
+  const double rhs = dot(system.rhs, system.rhs, block_sum);
   return std::sqrt(rhs > 0.0 ? residual / rhs : residual);
 }
 

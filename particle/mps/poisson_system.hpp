@@ -18,7 +18,11 @@ namespace surge::mps {
 struct PoissonSystem {
   AlignedVector<std::int32_t> row_start;  ///< size() + 1 entries
   AlignedVector<std::int32_t> column;
-  Field value;     ///< entries off the diagonal, <= 0
+  /// Entries off the diagonal, <= 0. In single precision, because every iteration reads all of
+  /// them: a pair's weight then has a relative error of 6e-8, and as the diagonal is
+  /// the sum of the rounded weights, so has the energy of every field of pressures. All arithmetic
+  /// with them is in double precision.
+  AlignedVector<float> value;
   Field diagonal;  ///< >= the sum of |value| over the row
   Field rhs;
 
@@ -30,14 +34,21 @@ struct PoissonSystem {
   [[nodiscard]] std::size_t size() const { return diagonal.size(); }
 };
 
-/// Row i of A x.
+/// Row i of A x. Two sums side by side: an addition need not wait for the one before it.
 inline double row_product(const PoissonSystem& system, const Field& x, std::size_t i) {
-  double sum = system.diagonal[i] * x[i];
+  const auto term = [&](std::size_t k) {
+    return static_cast<double>(system.value[k]) * x[static_cast<std::size_t>(system.column[k])];
+  };
+  auto k = static_cast<std::size_t>(system.row_start[i]);
   const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
-  for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
-    sum += system.value[k] * x[static_cast<std::size_t>(system.column[k])];
+  double even = system.diagonal[i] * x[i];
+  double odd = 0.0;
+  for (; k + 1 < end; k += 2) {
+    even += term(k);
+    odd += term(k + 1);
   }
-  return sum;
+  if (k < end) even += term(k);
+  return even + odd;
 }
 
 /// y = A x.

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "particle/kernel/mps_weight.hpp"
-
 namespace surge::mps {
 
 template <int D>
@@ -41,8 +39,8 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
     for (const std::uint32_t j : list.of(static_cast<std::size_t>(i))) {
       if (!couples(p, static_cast<std::size_t>(i), j)) continue;
       const double r = std::sqrt(squared_norm<D>(displacement(static_cast<std::size_t>(i), j)));
-      const double weight = factor_ * mps_weight(r, re_);
-      diagonal += weight;
+      const float weight = coupling(r);
+      diagonal += static_cast<double>(weight);
       if (unknown[j] < 0) continue;
       system_.column[entry] = unknown[j];
       system_.value[entry] = -weight;

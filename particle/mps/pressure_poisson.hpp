@@ -1,6 +1,7 @@
 #pragma once
 
 #include "particle/core/neighbour_list.hpp"
+#include "particle/kernel/mps_weight.hpp"
 #include "particle/mps/poisson_system.hpp"
 
 namespace surge::mps {
@@ -33,6 +34,11 @@ class PoissonAssembly {
                                 const AlignedVector<std::int32_t>& unknown, std::size_t unknowns);
 
   [[nodiscard]] PoissonSystem& system() { return system_; }
+
+  /// What a pair of neighbours at the distance r (m) adds to the equations, 1/m^2, as it is stored.
+  [[nodiscard]] float coupling(double r) const {
+    return static_cast<float>(factor_ * mps_weight(r, re_));
+  }
 
   /// Whether two neighbours have an entry in the equations.
   [[nodiscard]] bool couples(const Particles<D>& p, std::size_t i, std::size_t j) const {

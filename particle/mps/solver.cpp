@@ -369,9 +369,9 @@ double Solver<D>::still_source(std::size_t i, const Displacement<D>& displacemen
     const Vec<D> d = displacement(i, j);
     double head = 0.0;
     for (int a = 0; a < D; ++a) head += still_gravity_[a] * d[a];
-    sum += head * mps_weight(std::sqrt(squared_norm<D>(d)), re_laplacian_);
+    sum += head * static_cast<double>(assembly_.coupling(std::sqrt(squared_norm<D>(d))));
   }
-  return -rho_ * laplacian_factor_ * sum;
+  return -rho_ * sum;
 }
 
 /// What the pressures of the surface particles around add to the right side.
@@ -380,10 +380,10 @@ double Solver<D>::surface_source(std::size_t i, const Displacement<D>& displacem
   double sum = 0.0;
   for (const std::uint32_t j : list_.of(i)) {
     if (p_.pressure[j] == 0.0 || !is_surface(j) || !assembly_.couples(p_, i, j)) continue;
-    sum +=
-        p_.pressure[j] * mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re_laplacian_);
+    const double r = std::sqrt(squared_norm<D>(displacement(i, j)));
+    sum += p_.pressure[j] * static_cast<double>(assembly_.coupling(r));
   }
-  return laplacian_factor_ * sum;
+  return sum;
 }
 
 /// v_j - v_i as the divergence sees it, less `fallen` times gravity for the fluid. Between fluid

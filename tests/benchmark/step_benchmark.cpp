@@ -32,9 +32,9 @@ constexpr double sph_flops_per_pair = (26 + 2 + 8 + 6 + 5 + 6) + (26 + 3 + 2 + 4
 /// the loops gather for a cell stays in the cache. Kicks 96, half drift 64, volumes 17, continuity
 /// 72, density 24, drift 80, equation of state 40, momentum 40, speed 16.
 constexpr double sph_bytes_per_particle = 449;
-/// The pressure equation bounds an MPS step: each iteration reads the matrix (8 + 4 bytes an entry)
+/// The pressure equation bounds an MPS step: each iteration reads the matrix (4 + 4 bytes an entry)
 /// and passes over about 10 vectors. What a preconditioner reads comes on top and is not counted.
-constexpr double bytes_per_entry = 12;
+constexpr double bytes_per_entry = 8;
 constexpr double bytes_of_vectors = 80;
 
 /// A solver that has left its first steps behind. One at a time, kept until another one is asked

@@ -7,6 +7,7 @@
 #include "particle/mps/gradient.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/number_density.hpp"
+#include "particle/mps/pressure_poisson.hpp"
 #include "particle/mps/shifting.hpp"
 #include "particle/mps/velocity_divergence.hpp"
 
@@ -407,6 +408,47 @@ TEST(MixedSource, GammaWeighsDivergenceAgainstDensity) {
   EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.0), 2.0 * rho / dt, 1e-6);
   EXPECT_NEAR(mixed_source(-2.0, 6.6, 6.0, rho, dt, 0.01),
               0.99 * 2.0 * rho / dt + 0.01 * 0.1 * rho / (dt * dt), 1e-3);
+}
+
+// Weights are stored in single precision. The diagonal is the sum of what is stored, so that a row
+// without p = 0 neighbours has no excess at all, however coarse the weights are.
+TEST(PoissonAssembly, RoundedWeightsLeaveNoExcess) {
+  const double re = 3.1 * l0;
+  const double factor = 0.7 / (l0 * l0);
+  Lattice<2> lattice(5, re);
+  Particles<2> p;
+  p.resize(lattice.x[0].size());
+  p.x = lattice.x;
+  for (std::size_t i = 0; i < p.size(); ++i) p.x[0][i] += 0.01 * l0 * std::sin(3.0 * double(i));
+  AlignedVector<std::int32_t> unknown(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i)  // the middle particle has p = 0
+    unknown[i] = i == lattice.middle ? -1 : static_cast<std::int32_t>(i - (i > lattice.middle));
+  const Displacement<2> displacement(p.x, {});
+  PoissonAssembly<2> assembly(re, factor, l0);
+  const PoissonSystem& system =
+      assembly.assemble(p, lattice.list, displacement, unknown, p.size() - 1);
+  Field excess;
+  compute_excess(system, excess);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i == lattice.middle) continue;
+    const auto row = static_cast<std::size_t>(unknown[i]);
+    auto entry = static_cast<std::size_t>(system.row_start[row]);
+    double to_middle = 0.0;
+    for (const std::uint32_t j : lattice.list.of(i)) {
+      const double exact = factor * mps_weight(std::sqrt(squared_norm<2>(displacement(i, j))), re);
+      if (j == lattice.middle) {
+        to_middle = exact;
+        continue;
+      }
+      ASSERT_EQ(system.column[entry], unknown[j]);
+      EXPECT_NEAR(static_cast<double>(system.value[entry]), -exact, 6e-8 * exact);
+      ++entry;
+    }
+    EXPECT_NEAR(excess[row], to_middle, 1e-7 * to_middle + 1e-11 * system.diagonal[row]);
+    if (to_middle == 0.0) {
+      EXPECT_EQ(excess[row], 0.0);
+    }
+  }
 }
 
 // Square lattice by hand: the first layer of the surface and the second, on either side of 0.3.

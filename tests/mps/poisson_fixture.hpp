@@ -115,8 +115,8 @@ class LatticeSystem {
       there[0] += image[0] - other[0];
       const double r = std::hypot(there[0] - here[0], there[1] - here[1], there[2] - here[2]);
       if (r >= lattice_.radius) return;
-      const double w = lattice_.radius / r - 1.0;
-      diagonal += w;
+      const auto w = static_cast<float>(lattice_.radius / r - 1.0);
+      diagonal += static_cast<double>(w);
       if (unknown_[index(other)] < 0) return;
       system.column.push_back(unknown_[index(other)]);
       system.value.push_back(-w);

@@ -35,7 +35,7 @@ Field dense_solution(const PoissonSystem& system) {
     a[i][i] = system.diagonal[i];
     for (int k = system.row_start[i]; k < system.row_start[i + 1]; ++k) {
       const auto at = static_cast<std::size_t>(k);
-      a[i][static_cast<std::size_t>(system.column[at])] = system.value[at];
+      a[i][static_cast<std::size_t>(system.column[at])] = static_cast<double>(system.value[at]);
     }
   }
   Field x = system.rhs;

@@ -34,4 +34,13 @@ class BlockSum {
   Field partial_;
 };
 
+/// a . b
+inline double dot(const Field& a, const Field& b, BlockSum& block_sum) {
+  return block_sum(a.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
+    return sum;
+  });
+}
+
 }  // namespace surge::mps

@@ -60,7 +60,7 @@ void SparseCholesky::State::fill(const PoissonSystem& system) {
       if (system.column[k] <= static_cast<int>(i)) continue;
       if (at == row.size()) throw Error("pressure: the matrix is not symmetric");
       row[at] = system.column[k];
-      value[at++] = system.value[k];
+      value[at++] = static_cast<double>(system.value[k]);
     }
   }
   start[n] = static_cast<int>(at);

@@ -7,8 +7,8 @@ namespace surge::mps {
 
 namespace {
 
-// Starting threads for less costs more than it gains.
-constexpr std::int32_t parallel_from = 1000;
+// Nodes of a loop: starting threads for less costs more than it gains.
+constexpr std::int32_t parallel_from = 250;
 // A dense factorisation of this size costs less than a sweep over the particles.
 constexpr std::int32_t coarsest_size = 100;
 // Nodes that too few particles touch leave the operator singular. The coarsest grid spans the whole

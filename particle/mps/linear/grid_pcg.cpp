@@ -24,12 +24,8 @@ SolveReport GridPcg::run(Preconditioner& preconditioner, const PoissonSystem& sy
   for (Field* field : {&residual_, &z_, &direction_, &product_}) field->resize(n);
 
   Timer solve(report.solve_s);
-  double pb = 0.0;
-  double bb = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    pb += p[i] * system.rhs[i];
-    bb += system.rhs[i] * system.rhs[i];
-  }
+  const double pb = dot(p, system.rhs, block_sum_);
+  const double bb = dot(system.rhs, system.rhs, block_sum_);
   const double pap = block_sum_(n, [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t i = begin; i < end; ++i) {

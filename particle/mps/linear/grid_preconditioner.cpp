@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace surge::mps {
 
@@ -28,12 +29,13 @@ double mean_square_component(const PoissonSystem& system) {
     const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
     for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
       const auto j = static_cast<std::size_t>(system.column[k]);
-      weights -= system.value[k];
+      const auto weight = -static_cast<double>(system.value[k]);
+      weights += weight;
       for (std::size_t a = 0; a < static_cast<std::size_t>(system.dimension); ++a) {
         double d = system.x[a][j] - system.x[a][i];
         if (const double period = system.period[a]; period > 0.0)
           d -= period * std::round(d / period);
-        moment -= system.value[k] * d * d;
+        moment += weight * d * d;
       }
     }
   }
@@ -64,6 +66,7 @@ void GridPreconditioner<D>::setup(const PoissonSystem& system, const Field& exce
 template <int D>
 void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) {
   constexpr double far = 1e9;
+  const auto n = static_cast<std::int32_t>(system.size());
   const auto most = static_cast<std::int64_t>(8 * system.size() + 4096);
   std::array<std::int64_t, D> extent{};
   std::array<bool, D> wrapped{};
@@ -76,9 +79,15 @@ void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) 
       continue;
     }
     width_[a] = width;
-    const auto [low, high] = std::minmax_element(system.x[a].begin(), system.x[a].end());
-    const double first = std::clamp(std::floor(*low / width), -far, far);
-    const double last = std::clamp(std::floor(*high / width), -far, far);
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+#pragma omp parallel for schedule(static) reduction(min : low) reduction(max : high)
+    for (std::int32_t i = 0; i < n; ++i) {
+      low = std::min(low, system.x[a][static_cast<std::size_t>(i)]);
+      high = std::max(high, system.x[a][static_cast<std::size_t>(i)]);
+    }
+    const double first = std::clamp(std::floor(low / width), -far, far);
+    const double last = std::clamp(std::floor(high / width), -far, far);
     origin_[a] = static_cast<std::int64_t>(first);
     extent[a] = static_cast<std::int64_t>(last - first) + 1;
   }

@@ -25,7 +25,7 @@ void Iccg::fill(const PoissonSystem& system) {
       row.emplace_back(i, system.diagonal[at]);
       for (int k = system.row_start[at]; k < system.row_start[at + 1]; ++k) {
         row.emplace_back(system.column[static_cast<std::size_t>(k)],
-                         system.value[static_cast<std::size_t>(k)]);
+                         static_cast<double>(system.value[static_cast<std::size_t>(k)]));
       }
       std::sort(row.begin(), row.end());
       start[i] = system.row_start[at] + i;
