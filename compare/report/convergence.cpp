@@ -130,7 +130,7 @@ json bars_json(const StudyResult& study, const std::vector<Sequence>& sequences,
   for (const Sequence& sequence : sequences) {
     const std::string& preset = sequence.finest().run.preset;
     if (finest == nullptr || !sequence.over_spacing ||
-        (preset != "improved" && preset != "delta-sph"))
+        (preset != "improved" && preset != "delta-plus"))
       continue;
     for (const SequenceLevel& level : sequence.levels) {
       for (const auto& [spacing, bar] : bars) {

@@ -94,7 +94,7 @@ std::string flow_table(const Page& page, const std::string& group) {
                     header, rows);
 }
 
-/// "Bar: ... MPS improved reaches it with ..., SPH delta-sph misses it with ..."
+/// "Bar: ... MPS improved reaches it with ..., SPH delta-plus misses it with ..."
 std::string bar_sentence(const Page& page, const std::string& group) {
   const json& entry = page.values.at(key({"verification", group}));
   if (entry["bar"].is_null()) return "";

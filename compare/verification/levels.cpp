@@ -14,7 +14,7 @@ std::vector<FlowLevels> levels_of(const StudyResult& study, const std::string& g
     auto place =
         std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.label == label; });
     if (place == all.end()) {
-      const bool recommended = label == "MPS improved" || label == "SPH delta-sph";
+      const bool recommended = label == "MPS improved" || label == "SPH delta-plus";
       place = all.insert(all.end(), {label, recommended, {}});
     }
     place->levels.push_back({run->study.name, &found->second});

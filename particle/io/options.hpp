@@ -120,6 +120,8 @@ void visit_options(P& p, Visitor&& option) {
          "neighbours in the pressure equation of walls: all, or the fluid alone");
   option("shifting", p.shifting, Bounds::at_least(0.0),
          "particle shifting, in l0 per path l0 of the fastest particle; 0: off");
+  option("numerical_viscosity", p.numerical_viscosity, Bounds::at_least(0.0),
+         "kinematic viscosity is no less than this times l0 and the speed of the fastest particle");
   option("gradient", p.gradient, any,
          "pressure gradient: conserving is Khayyer & Gotoh (2008), corrected (2011)");
   option("viscous_term", p.viscous_term, any,
@@ -134,6 +136,8 @@ void visit_options(P& p, Visitor&& option) {
          "iterations after which the pressure solver gives up");
   option("collision_distance", p.collision_distance, Bounds::closed(0.0, 1.0),
          "approaching particles nearer than this collide, in l0");
+  option("collision_speed", p.collision_speed, Bounds::closed(0.0, 1.0),
+         "if they approach by more than this, over the speed of the fastest particle");
   option("collision_restitution", p.collision_restitution, Bounds::closed(0.0, 1.0),
          "relative normal speed after a collision over that before");
   option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),

@@ -17,11 +17,12 @@ class CollisionModel {
   CollisionModel(double distance, double restitution)
       : distance2_(distance * distance), restitution_(restitution) {}
 
-  /// Change of the velocity of fluid particle i; counts the collisions it takes part in.
+  /// Change of the velocity of fluid particle i; counts the collisions it takes part in. Pairs that
+  /// approach at less than `least` (m/s) do not collide: that much is left to the pressure.
   template <class Fixed>
   Vec<D> velocity_change(std::size_t i, std::span<const std::uint32_t> neighbours,
                          const Displacement<D>& displacement, const std::array<Field, D>& v,
-                         Fixed&& fixed, long& collisions) const {
+                         Fixed&& fixed, double least, long& collisions) const {
     Vec<D> change{};
     for (const std::uint32_t j : neighbours) {
       const Vec<D> d = displacement(i, j);
@@ -29,7 +30,7 @@ class CollisionModel {
       if (r2 >= distance2_ || r2 == 0.0) continue;
       double approach = 0.0;
       for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
-      if (approach >= 0.0) continue;
+      if (approach >= 0.0 || approach * approach < least * least * r2) continue;
       const double share = fixed(j) ? 1.0 : 0.5;
       for (int a = 0; a < D; ++a) change[a] += share * (1.0 + restitution_) * approach / r2 * d[a];
       ++collisions;

@@ -43,7 +43,7 @@ enum class LaplacianOf {
 /// Where the pressure of a free surface is zero.
 enum class SurfaceAt {
   centre,       ///< in the centres of the surface particles, as in the paper
-  half_spacing  ///< half a spacing outside of them, where the water ends
+  half_spacing  ///< half a spacing, taken across the surface, outside of them
 };
 
 /// Whose pressures the equation of a wall particle takes its pressure from.
@@ -72,6 +72,7 @@ struct Params {
   WallCoupling wall_coupling = WallCoupling::all;
   GradientModel gradient = GradientModel::minimum;
   double shifting = 0.0;  ///< share of l0 by which particles move apart while v_max moves by l0
+  double numerical_viscosity = 0.0;  ///< nu is no less than this times l0 v_max
   ViscousTerm viscous_term = ViscousTerm::laplacian;
   double source_relaxation = 1.0;  ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;
@@ -79,6 +80,7 @@ struct Params {
   double ppe_tolerance = 1e-6;  ///< relative residual
   int ppe_max_iterations = 2000;
   double collision_distance = 0.5;     ///< particles closer than this and approaching collide
+  double collision_speed = 0.0;        ///< ... by at least this share of v_max
   double collision_restitution = 0.2;  ///< ratio of relative normal speeds after and before
   double wall_distance = 0.0;          ///< no centre comes closer to a solid surface than this
 };

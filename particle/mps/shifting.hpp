@@ -35,4 +35,22 @@ Vec<D> shift(const Vec<D>& concentration_gradient, const Vec<D>& normal, double 
   return s;
 }
 
+/// Root mean square of the velocities of the fluid around a particle relative to it, m/s, weighted
+/// by w. A shift is no faster: what moves as a whole is not rearranged.
+template <int D, class Counts>
+double relative_speed(std::size_t i, std::span<const std::uint32_t> neighbours,
+                      const Displacement<D>& displacement, double re, const std::array<Field, D>& v,
+                      Counts&& counts) {
+  double sum = 0.0;
+  double weights = 0.0;
+  for_each_within<D>(i, neighbours, displacement, re, counts,
+                     [&](std::size_t j, const Vec<D>&, double r2) {
+                       const double weight = mps_weight(std::sqrt(r2), re);
+                       weights += weight;
+                       for (int a = 0; a < D; ++a)
+                         sum += weight * (v[a][j] - v[a][i]) * (v[a][j] - v[a][i]);
+                     });
+  return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+}
+
 }  // namespace surge::mps

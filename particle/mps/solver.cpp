@@ -62,11 +62,12 @@ Solver<D>::Solver(const Case& c)
       spacing_(c.spacing),
       rho_(c.density),
       nu_(c.kinematic_viscosity),
-      no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip),
+      no_slip_(nu_ > 0.0 && c.has_tank && c.tank.wall == WallCondition::no_slip),
       re_(params_.re_gradient * c.spacing),
       re_laplacian_(params_.re_laplacian * c.spacing),
       n0_(reference_number_density<D>(params_.re_gradient)),
       laplacian_factor_(factor_of<D>(params_, c.spacing)),
+      layer_thickness_(re_, c.spacing),
       viscous_lambda_(laplacian_lambda<D>(Lambda::lattice, params_.re_laplacian, c.spacing)),
       collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
       walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
@@ -88,7 +89,10 @@ Solver<D>::Solver(const Case& c)
   least_.assign(p_.size(), 0.0);
   surface_pressure_.assign(p_.size(), 0.0);
   if (params_.wall_coupling == WallCoupling::fluid && !no_slip_) find_wall_normals(c);
-  for (int a = 0; a < D; ++a) concentration_gradient_[a].assign(p_.size(), 0.0);
+  for (int a = 0; a < D; ++a) {
+    concentration_gradient_[a].assign(p_.size(), 0.0);
+    carried_[a].assign(p_.size(), 0.0);
+  }
   unknown_.assign(p_.size(), -1);
   find_neighbours();
   compute_number_density();
@@ -119,7 +123,7 @@ void Solver<D>::find_wall_normals(const Case& c) {
 template <int D>
 double Solver<D>::stable_step() const {
   const double dt = std::min(courant_step(control_, spacing_, v_max_),
-                             viscous_step(0.25 / (D + 2), std::sqrt(viscous_lambda_), nu_));
+                             viscous_step(0.25 / (D + 2), std::sqrt(viscous_lambda_), viscosity()));
   return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
 }
 
@@ -157,14 +161,15 @@ void Solver<D>::for_each_fluid(F&& f) {
 template <int D>
 void Solver<D>::apply_body_forces(double dt) {
   const auto scope = clock_.measure(Phase::forces);
-  if (nu_ > 0.0) add_viscosity(dt);
+  if (viscosity() > 0.0) add_viscosity(dt);
   for_each_fluid([&](std::size_t i) {
     for (int a = 0; a < D; ++a) p_.v[a][i] += dt * gravity_[a];
   });
 }
 
-/// The viscous term with the neighbours of the step before. A no-slip wall counts, a slip wall does
-/// not. Two neighbours' sums bound the eigenvalues, by which stable_step() is half the stable one.
+/// The viscous term with the neighbours of the step before, which is where v_max is from, too. A
+/// no-slip wall counts, a slip wall does not. Two neighbours' sums bound the eigenvalues, by which
+/// stable_step() is half the stable one.
 template <int D>
 void Solver<D>::add_viscosity(double dt) {
   const Displacement<D> displacement(p_.x, periodicity_);
@@ -181,7 +186,8 @@ void Solver<D>::add_viscosity(double dt) {
 template <int D>
 Vec<D> Solver<D>::viscous_acceleration(std::size_t i, const Displacement<D>& displacement) const {
   const double factor =
-      nu_ * laplacian_factor<D>(reference_number_density<D>(params_.re_laplacian), viscous_lambda_);
+      viscosity() *
+      laplacian_factor<D>(reference_number_density<D>(params_.re_laplacian), viscous_lambda_);
   const auto counts = [&](std::size_t j) { return no_slip_ || is_fluid(j); };
   Vec<D> sum{};
   if (params_.viscous_term == ViscousTerm::deformation) {
@@ -254,8 +260,9 @@ void Solver<D>::find_neighbours() {
   const auto scope = clock_.measure(Phase::neighbours);
   grid_.build(p_.x, re_laplacian_, 2);
   grid_.reorder(p_);
+  grid_.reorder(surface_pressure_);
   // Only the viscous term asks who is near a dummy.
-  const bool all = no_slip_ && nu_ > 0.0;
+  const bool all = no_slip_;
   list_.build(grid_, p_.x, re_laplacian_, [&](std::size_t i) { return all || has_pressure(i); });
 }
 
@@ -272,7 +279,7 @@ void Solver<D>::collide(double dt, StepReport& report) {
       if (!is_fluid(i)) continue;
       const Vec<D> change = collision_.velocity_change(
           i, list_.of(i), displacement, p_.v, [&](std::size_t j) { return !is_fluid(j); },
-          collisions);
+          params_.collision_speed * v_max_, collisions);
       for (int a = 0; a < D; ++a) correction_[a][i] = change[a];
     }
     if (collisions == 0) return;
@@ -414,9 +421,12 @@ double Solver<D>::velocity_divergence_of(std::size_t i, const Displacement<D>& d
                                          Relative&& relative) const {
   const auto everyone = [](std::size_t) { return true; };
   if (params_.gradient == GradientModel::corrected) {
-    if (const auto divergence = corrected_divergence<D>(i, list_.of(i), displacement, re_, n0_,
-                                                        least_pivot, relative, everyone))
-      return *divergence;
+    if (const auto gradient = velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_,
+                                                   least_pivot, relative, everyone)) {
+      double trace = 0.0;
+      for (int a = 0; a < D; ++a) trace += (*gradient)[a][a];
+      return trace;
+    }
   }
   return velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
 }
@@ -477,7 +487,7 @@ void Solver<D>::correct(double dt, StepReport& report) {
   move(dt, correction_, report);
 }
 
-/// The pressure half a spacing below the surface, by the gradient of this step, for the next one.
+/// The pressure in the middle of the surface's layer, by the gradient of this step, for the next.
 template <int D>
 void Solver<D>::update_surface_pressure(double dt, const Displacement<D>& displacement) {
   find_concentration_gradient(displacement);
@@ -490,7 +500,9 @@ void Solver<D>::update_surface_pressure(double dt, const Displacement<D>& displa
     if (length == 0.0) return;
     double slope = 0.0;  // of the pressure, inwards
     for (int a = 0; a < D; ++a) slope -= rho_ / dt * correction_[a][i] * inward[a] / length;
-    surface_pressure_[i] = std::max(0.0, 0.5 * spacing_ * slope);
+    const double thickness = layer_thickness_(
+        i, list_.of(i), displacement, [&](std::size_t j) { return is_fluid(j) && is_surface(j); });
+    surface_pressure_[i] = std::max(0.0, 0.5 * thickness * slope);
   });
 }
 
@@ -502,6 +514,8 @@ void Solver<D>::find_concentration_gradient(const Displacement<D>& displacement)
   });
 }
 
+/// Particles take the velocity that the fluid has where they are shifted to, v += (dx . grad) v
+/// (Lind et al. 2012).
 template <int D>
 void Solver<D>::shift_particles(double dt, StepReport& report) {
   if (params_.shifting == 0.0) return;
@@ -510,16 +524,43 @@ void Solver<D>::shift_particles(double dt, StepReport& report) {
     const Displacement<D> displacement(p_.x, periodicity_);
     find_concentration_gradient(displacement);
     for_each_fluid([&](std::size_t i) {
-      Vec<D> g;
-      for (int a = 0; a < D; ++a) g[a] = concentration_gradient_[a][i];
-      // Spray and sheets of one layer have no inside to be evened out.
-      const bool thin = on_free_surface(p_.density[i], single_layer, n0_);
-      const Vec<D> s = shift<D>(g, surface_normal(i, displacement), thin ? 0.0 : params_.shifting,
-                                spacing_, v_max_ * dt);
-      for (int a = 0; a < D; ++a) correction_[a][i] = s[a] / dt;
+      const Vec<D> s = shift_of(i, dt, displacement);
+      const auto gradient = velocity_gradient<D>(
+          i, list_.of(i), displacement, re_, n0_, least_pivot,
+          [&](std::size_t j) {
+            Vec<D> v = p_.velocity(j);
+            for (int a = 0; a < D; ++a) v[a] -= p_.v[a][i];
+            return v;
+          },
+          [&](std::size_t j) { return is_fluid(j); });
+      for (int a = 0; a < D; ++a) {
+        correction_[a][i] = s[a] / dt;
+        carried_[a][i] = 0.0;
+        if (!gradient) continue;
+        for (int b = 0; b < D; ++b) carried_[a][i] += (*gradient)[a][b] * s[b];
+      }
+    });
+    for_each_fluid([&](std::size_t i) {
+      for (int a = 0; a < D; ++a) p_.v[a][i] += carried_[a][i];
     });
   }
   move(dt, correction_, report);
+}
+
+/// m
+template <int D>
+Vec<D> Solver<D>::shift_of(std::size_t i, double dt, const Displacement<D>& displacement) const {
+  // Spray and sheets of one layer have no inside to be evened out.
+  if (on_free_surface(p_.density[i], single_layer, n0_)) return {};
+  Vec<D> g;
+  for (int a = 0; a < D; ++a) g[a] = concentration_gradient_[a][i];
+  Vec<D> s = shift<D>(g, surface_normal(i, displacement), params_.shifting, spacing_, v_max_ * dt);
+  const double limit = dt * relative_speed<D>(i, list_.of(i), displacement, re_, p_.v,
+                                              [&](std::size_t j) { return is_fluid(j); });
+  const double length = std::sqrt(squared_norm<D>(s));
+  if (length > limit)
+    for (double& component : s) component *= limit / length;
+  return s;
 }
 
 /// Mean of the concentration's gradient over the surface particles around: along the normal of the

@@ -8,6 +8,7 @@
 #include "particle/core/wall_collision.hpp"
 #include "particle/io/case.hpp"
 #include "particle/mps/collision.hpp"
+#include "particle/mps/free_surface.hpp"
 #include "particle/mps/pressure_poisson.hpp"
 #include "particle/mps/pressure_solver.hpp"
 
@@ -67,6 +68,8 @@ class Solver {
   void find_wall_normals(const Case& c);
   [[nodiscard]] Vec<D> relative_velocity(std::size_t i, std::size_t j, double fallen) const;
   [[nodiscard]] double still_source(std::size_t i, const Displacement<D>& displacement) const;
+  [[nodiscard]] Vec<D> shift_of(std::size_t i, double dt,
+                                const Displacement<D>& displacement) const;
   template <class Relative>
   [[nodiscard]] double velocity_divergence_of(std::size_t i, const Displacement<D>& displacement,
                                               Relative&& relative) const;
@@ -74,6 +77,10 @@ class Solver {
   [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   /// Fastest particle.
   void measure_speed(StepReport& report);
+  /// Kinematic viscosity, numerical or not, m2/s.
+  [[nodiscard]] double viscosity() const {
+    return std::max(nu_, params_.numerical_viscosity * spacing_ * v_max_);
+  }
   void add_viscosity(double dt);
   [[nodiscard]] Vec<D> viscous_acceleration(std::size_t i,
                                             const Displacement<D>& displacement) const;
@@ -98,6 +105,7 @@ class Solver {
   double re_laplacian_;     ///< m
   double n0_;               ///< Eq. (9), at re
   double laplacian_factor_;
+  LayerThickness<D> layer_thickness_;
   double viscous_lambda_;  ///< m2; the lattice's, whatever the pressure equation has
   CollisionModel<D> collision_;
   WallCollision<D> walls_;
@@ -107,6 +115,7 @@ class Solver {
   std::array<Field, D> rubbing_velocity_;        ///< m/s, what neighbours show to the viscous term
   std::array<Field, D> concentration_gradient_;  ///< 1/m, of shifting
   std::vector<Vec<D>> wall_normal_;              ///< by id; empty where walls are not smooth
+  std::array<Field, D> carried_;                 ///< m/s, of the velocity by shifting
   Field surface_pressure_;                       ///< Pa, where a particle is on the surface
   Field least_;                                  ///< Pa, the neighbourhood minimum of Eq. (6)
   AlignedVector<std::int32_t>

@@ -27,15 +27,17 @@ double velocity_divergence(std::size_t i, std::span<const std::uint32_t> neighbo
   return D / n0 * sum;
 }
 
-/// The trace of the velocity gradient by the corrected gradient model (Khayyer & Gotoh 2011),
-///   C_i : sum (v_j - v_i) (x_j - x_i)^T / r^2 w,
+/// The velocity gradient by the corrected gradient model (Khayyer & Gotoh 2011), 1/s, row a being
+/// the gradient of v_a:
+///   [ sum (v_j - v_i) (x_j - x_i)^T / r^2 w ] C_i,
 /// exact for linear fields wherever the neighbours are. Empty where they are too few for C, see
 /// corrected_gradient().
 template <int D, class Relative, class Counts>
-std::optional<double> corrected_divergence(std::size_t i, std::span<const std::uint32_t> neighbours,
-                                           const Displacement<D>& displacement, double re,
-                                           double n0, double limit, Relative&& relative,
-                                           Counts&& counts) {
+std::optional<std::array<Vec<D>, D>> velocity_gradient(std::size_t i,
+                                                       std::span<const std::uint32_t> neighbours,
+                                                       const Displacement<D>& displacement,
+                                                       double re, double n0, double limit,
+                                                       Relative&& relative, Counts&& counts) {
   std::array<Vec<D>, D> moment{};
   std::array<Vec<D>, D> sum{};  // one row per component of v
   for_each_within<D>(i, neighbours, displacement, re, counts,
@@ -48,13 +50,12 @@ std::optional<double> corrected_divergence(std::size_t i, std::span<const std::u
                            sum[a][b] += weight * v[a] * d[b];
                          }
                      });
-  double trace = 0.0;
   for (int a = 0; a < D; ++a) {
     const auto gradient = solve_spd<D>(moment, sum[a], limit * n0 / D);
     if (!gradient) return std::nullopt;
-    trace += (*gradient)[a];
+    sum[a] = *gradient;
   }
-  return trace;
+  return sum;
 }
 
 /// Right side of the pressure equation with its sign turned, Pa/m^2, by Tanaka & Masunaga (2010),

@@ -72,13 +72,14 @@ void expect_steps_without_allocation(const std::string& method, const std::strin
 TEST(Step, OfSphAllocatesNothing) {
   expect_steps_without_allocation<sph::Solver<2>>("sph", "paper");
 }
-TEST(Step, OfDeltaSphAllocatesNothing) {
-  expect_steps_without_allocation<sph::Solver<2>>("sph", "delta-sph");
-  expect_steps_without_allocation<sph::Solver<2>>(
-      "sph", "delta-sph", {"sph.shifting=concentration", "sph.negative_pressure=difference"});
+TEST(Step, OfDeltaPlusAllocatesNothing) {
+  expect_steps_without_allocation<sph::Solver<2>>("sph", "delta-plus");
 }
 TEST(Step, OfMpsAllocatesNothing) {
   expect_steps_without_allocation<mps::Solver<2>>("mps", "paper");
+}
+TEST(Step, OfMpsImprovedAllocatesNothing) {
+  expect_steps_without_allocation<mps::Solver<2>>("mps", "improved");
 }
 
 TEST(Counter, SeesAnAllocation) {

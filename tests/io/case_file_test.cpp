@@ -265,7 +265,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"method", "method.name=vof",
             "--set method.name=vof: found \"vof\", expected one of \"mps\", \"sph\""},
         Bad{"preset", "method.preset=best",
-            "--set method.preset=best: found \"best\", expected one of \"delta-sph\", "
+            "--set method.preset=best: found \"best\", expected one of \"delta-plus\", "
             "\"paper-bare\", \"paper\""},
         Bad{"beta_zero", "mps.beta=0",
             "--set mps.beta=0: found 0, expected a number between 0 and 1"},

@@ -329,7 +329,7 @@ Lattice<D> torn_lattice(double re) {
 }
 
 template <int D>
-void expect_corrected_divergence_exact() {
+void expect_velocity_gradient_exact() {
   const double re = 3.1;
   const Lattice<D> lattice = torn_lattice<D>(re);
   const Displacement<D> displacement(lattice.x, {});
@@ -342,30 +342,32 @@ void expect_corrected_divergence_exact() {
   };
   const auto neighbours = lattice.list.of(lattice.middle);
   const double n0 = reference_number_density<D>(re);
-  const auto divergence = corrected_divergence<D>(lattice.middle, neighbours, displacement, re * l0,
-                                                  n0, 0.1, relative, everyone);
-  ASSERT_TRUE(divergence.has_value());
-  EXPECT_NEAR(*divergence, D * (D + 1) / 2.0, 1e-10);
-  // The plain sum is not.
+  const auto gradient = velocity_gradient<D>(lattice.middle, neighbours, displacement, re * l0, n0,
+                                             0.1, relative, everyone);
+  ASSERT_TRUE(gradient.has_value());
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b)
+      EXPECT_NEAR((*gradient)[a][b], a == b ? a + 1.0 : (a == 0 && b == 1 ? 7.0 : 0.0), 1e-10);
+  // The plain divergence is not.
   const double plain = velocity_divergence<D>(lattice.middle, neighbours, displacement, re * l0, n0,
                                               relative, everyone);
   EXPECT_GT(std::abs(plain - D * (D + 1) / 2.0), 0.1);
 }
 
-TEST(CorrectedDivergence, ExactOnLinearFieldsWhereverTheNeighboursAre2D) {
-  expect_corrected_divergence_exact<2>();
+TEST(VelocityGradient, ExactOnLinearFieldsWhereverTheNeighboursAre2D) {
+  expect_velocity_gradient_exact<2>();
 }
-TEST(CorrectedDivergence, ExactOnLinearFieldsWhereverTheNeighboursAre3D) {
-  expect_corrected_divergence_exact<3>();
+TEST(VelocityGradient, ExactOnLinearFieldsWhereverTheNeighboursAre3D) {
+  expect_velocity_gradient_exact<3>();
 }
 
-TEST(CorrectedDivergence, IsNotTrustedOnALine) {
+TEST(VelocityGradient, IsNotTrustedOnALine) {
   const Lattice<2> lattice(4, 3.1 * l0);
   const auto on_a_line = [&](std::size_t j) { return std::abs(lattice.x[1][j]) < 0.5 * l0; };
   const auto nothing = [](std::size_t) { return Vec<2>{}; };
-  EXPECT_FALSE(corrected_divergence<2>(lattice.middle, lattice.list.of(lattice.middle),
-                                       Displacement<2>(lattice.x, {}), 3.1 * l0,
-                                       reference_number_density<2>(3.1), 0.3, nothing, on_a_line)
+  EXPECT_FALSE(velocity_gradient<2>(lattice.middle, lattice.list.of(lattice.middle),
+                                    Displacement<2>(lattice.x, {}), 3.1 * l0,
+                                    reference_number_density<2>(3.1), 0.3, nothing, on_a_line)
                    .has_value());
 }
 
@@ -477,6 +479,51 @@ TEST(FreeSurface, OffsetTellsTheFirstLayerFromTheSecond) {
   }
 }
 
+// In a velocity field whose every neighbour moves by 3 m/s relative to the particle.
+TEST(Shifting, RelativeSpeedIsTheRootMeanSquare) {
+  const Lattice<2> lattice(4, 3.1 * l0);
+  std::array<Field, 2> v{lattice.x[0], lattice.x[1]};
+  for (std::size_t j = 0; j < v[0].size(); ++j) {
+    v[0][j] = j == lattice.middle ? 10.0 : 10.0 + 3.0 * std::cos(static_cast<double>(j));
+    v[1][j] = j == lattice.middle ? -2.0 : -2.0 + 3.0 * std::sin(static_cast<double>(j));
+  }
+  const Displacement<2> displacement(lattice.x, {});
+  const auto neighbours = lattice.list.of(lattice.middle);
+  EXPECT_NEAR(relative_speed<2>(lattice.middle, neighbours, displacement, 3.1 * l0, v, everyone),
+              3.0, 1e-12);
+  const auto nobody = [](std::size_t) { return false; };
+  EXPECT_EQ(relative_speed<2>(lattice.middle, neighbours, displacement, 3.1 * l0, v, nobody), 0.0);
+}
+
+// A layer that is pressed together by e along itself grows by (d - 1) e across, to first order; one
+// lattice layer is l0 thick; nothing is thicker than 2 l0.
+template <int D>
+void expect_thickness_follows() {
+  const double re = 3.1;
+  const LayerThickness<D> thickness(re * l0, l0);
+  for (const double e : {0.0, 1e-4, -1e-4, 0.8}) {
+    Lattice<D> lattice(4, re * l0);
+    const Field height = lattice.x[D - 1];
+    for (int a = 0; a < D - 1; ++a)
+      for (double& x : lattice.x[a]) x *= 1.0 - e;
+    const auto in_layer = [&](std::size_t j) { return std::abs(height[j]) < 0.5 * l0; };
+    const double found = thickness(lattice.middle, lattice.list.of(lattice.middle),
+                                   Displacement<D>(lattice.x, {}), in_layer);
+    if (e > 0.5) {
+      EXPECT_EQ(found, 2.0 * l0);
+    } else {
+      EXPECT_NEAR(found / l0, 1.0 + (D - 1) * e, 10.0 * e * e + 1e-12) << e;
+    }
+  }
+}
+
+TEST(LayerThickness, FollowsTheSpacingAlongTheLayer2D) {
+  expect_thickness_follows<2>();
+}
+TEST(LayerThickness, FollowsTheSpacingAlongTheLayer3D) {
+  expect_thickness_follows<3>();
+}
+
 TEST(Collision, KeepsMomentumAndSetsTheRelativeSpeed) {
   const double e = 0.2;
   std::array<Field, 2> x{Field{0.0, 0.3 * l0, 5.0 * l0}, Field{0.0, 0.2 * l0, 0.0}};
@@ -487,8 +534,8 @@ TEST(Collision, KeepsMomentumAndSetsTheRelativeSpeed) {
   long count = 0;
   const std::array<std::uint32_t, 2> of_first{1, 2};
   const std::array<std::uint32_t, 2> of_second{0, 2};
-  const Vec<2> first = model.velocity_change(0, of_first, displacement, v, nobody, count);
-  const Vec<2> second = model.velocity_change(1, of_second, displacement, v, nobody, count);
+  const Vec<2> first = model.velocity_change(0, of_first, displacement, v, nobody, 0.0, count);
+  const Vec<2> second = model.velocity_change(1, of_second, displacement, v, nobody, 0.0, count);
   EXPECT_EQ(count, 2);
   for (int a = 0; a < 2; ++a) EXPECT_NEAR(first[a] + second[a], 0.0, 1e-15);
   const Vec<2> d = displacement(0, 1);
@@ -509,11 +556,16 @@ TEST(Collision, FixedParticlesTakeUpTheMomentumAndReceedingPairsPass) {
   const auto second_is_wall = [](std::size_t j) { return j == 1; };
   long count = 0;
   const std::array<std::uint32_t, 1> neighbour{1};
-  const Vec<2> change = model.velocity_change(0, neighbour, displacement, v, second_is_wall, count);
+  const Vec<2> change =
+      model.velocity_change(0, neighbour, displacement, v, second_is_wall, 1.99, count);
   EXPECT_NEAR(change[0], -2.0, 1e-14);
   EXPECT_NEAR(change[1], 0.0, 1e-14);
+  const auto speed_after = [&](double least) {
+    return model.velocity_change(0, neighbour, displacement, v, second_is_wall, least, count)[0];
+  };
+  EXPECT_EQ(speed_after(2.01), 0.0);  // too slow an approach
   v[0][0] = -2.0;
-  EXPECT_EQ(model.velocity_change(0, neighbour, displacement, v, second_is_wall, count)[0], 0.0);
+  EXPECT_EQ(speed_after(0.0), 0.0);
   EXPECT_EQ(count, 1);
 }
 
