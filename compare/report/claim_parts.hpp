@@ -15,7 +15,12 @@ inline constexpr const char* not_measured = "not measured";
 
 using Runs = std::vector<const RunResult*>;
 
-/// Complete runs of role comparison of a method, without the reference.
+/// Whether the paper's statements are about such a run: meshes, programs that name no preset, and
+/// the presets of the paper, but not the formulations that came since.
+[[nodiscard]] bool is_of_the_paper(const RunResult& run);
+/// Runs of role comparison that have a front and is_of_the_paper().
+[[nodiscard]] Runs judged_runs(const StudyResult& study);
+/// Those that are complete and of a method, without the reference.
 [[nodiscard]] Runs complete_runs(const StudyResult& study, const std::string& method);
 
 /// Null where the pointer leads nowhere.

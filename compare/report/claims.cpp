@@ -6,9 +6,20 @@ namespace surge::compare {
 
 using nlohmann::json;
 
+bool is_of_the_paper(const RunResult& run) {
+  const std::string& preset = run.measured->run.preset;
+  return preset.empty() || preset.starts_with("paper");
+}
+
+Runs judged_runs(const StudyResult& study) {
+  Runs runs = study.measured();
+  std::erase_if(runs, [](const RunResult* run) { return !is_of_the_paper(*run); });
+  return runs;
+}
+
 Runs complete_runs(const StudyResult& study, const std::string& method) {
   Runs runs;
-  for (const RunResult* run : study.measured()) {
+  for (const RunResult* run : judged_runs(study)) {
     if (run != &study.reference() && run->status == RunStatus::complete && run->note.empty() &&
         run->measured->run.method == method)
       runs.push_back(run);

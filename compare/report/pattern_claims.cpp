@@ -121,7 +121,7 @@ Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
   Count count;
   for (std::size_t c = 0; c < cohesion_count; ++c) {
     if (const auto said = only_mps_fragments(study, metrics, c)) count.add(*said);
-    for (const RunResult* run : study.measured()) {
+    for (const RunResult* run : judged_runs(study)) {
       const bool mesh = run->measured->run.is_mesh();
       const std::string at = "/detached/" + std::to_string(c);
       const std::string rule = mesh ? "level " + fixed_text(corner_levels[c], 2)
@@ -181,7 +181,7 @@ Claim robustness_claim(const StudyResult& study) {
               "",
               {}};
   Count count;
-  for (const RunResult* run : study.measured()) {
+  for (const RunResult* run : judged_runs(study)) {
     if (run->measured->run.is_mesh() || run == &study.reference()) continue;
     const json lost = number_at(run->manifest, json::json_pointer("/lost_particles"));
     const json nonfinite = number_at(run->manifest, json::json_pointer("/nonfinite"));

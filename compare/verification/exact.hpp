@@ -12,7 +12,7 @@ struct DropAxes {
   double y = 1.0;
 };
 
-/// Stretching elliptical drop (Monaghan 1994, J. Comput. Phys. 110, Sec. 6.1): a circle with the
+/// Stretching elliptical drop (Monaghan 1994, J. Comput. Phys. 110): a circle with the
 /// velocity (-A x, A y) at time zero, A in 1/s, without gravity. It stays an ellipse with the
 /// velocity (-sigma x, sigma y); p = 0 on its edge asks for
 ///   da/dt = -sigma a,  db/dt = sigma b,  dsigma/dt = sigma^2 (a^2 - b^2)/(a^2 + b^2),
@@ -30,7 +30,7 @@ struct DropAxes {
 [[nodiscard]] double wave_decay(double nu, double k);
 
 /// Speed (m/s) in a channel of width H at the height y above one wall, at time t after the force f
-/// (m/s2) was switched on (Morris, Fox & Zhu 1997, J. Comput. Phys. 136, Eq. 21):
+/// (m/s2) was switched on (Morris, Fox & Zhu 1997, J. Comput. Phys. 136):
 ///   u = f/(2 nu) y (H - y) - sum_{m odd} 4 f H^2/(nu pi^3 m^3) sin(pi m y/H) exp(-m^2 pi^2 nu
 ///   t/H^2).
 [[nodiscard]] double channel_speed(double force, double nu, double width, double y, double t);

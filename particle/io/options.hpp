@@ -37,8 +37,7 @@ inline constexpr std::array enum_names<mps::PpeSolver>{
     Named{"multigrid", mps::PpeSolver::multigrid}};
 template <>
 inline constexpr std::array enum_names<mps::NegativePressure>{
-    Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip},
-    Named{"clip_at_air", mps::NegativePressure::clip_at_air}};
+    Named{"keep", mps::NegativePressure::keep}, Named{"clip", mps::NegativePressure::clip}};
 template <>
 inline constexpr std::array enum_names<mps::Source>{
     Named{"number_density", mps::Source::number_density},

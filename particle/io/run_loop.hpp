@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "particle/core/initial_particles.hpp"
 #include "particle/core/solver.hpp"
 #include "particle/io/case.hpp"
 #include "particle/io/frame_queue.hpp"
@@ -61,11 +62,12 @@ class RunLoop {
         output_(output),
         record_(record),
         stop_(std::move(stop)),
+        fastest_(100.0 * reference_speed(c)),
         probes_(c) {}
 
-  /// Throws Error where values cease to be finite or the time step vanishes, or where a frame
-  /// cannot be written; what was computed until then is in the output. All frames are on the disk
-  /// when it returns.
+  /// Throws Error where values cease to be finite, the time step vanishes or a particle is a
+  /// hundred times as fast as the reference speed of the flow, or where a frame cannot be written;
+  /// what was computed until then is in the output. All frames are on the disk when it returns.
   RunEnd run() {
     const RunEnd end = compute_frames();
     finish_frames();
@@ -109,7 +111,8 @@ class RunLoop {
   void check_finite(const StepReport& report) {
     record_.nonfinite = static_cast<long>(count_nonfinite(solver_.particles()));
     const bool vanished = !(report.dt > 1e-12 * case_.time.maximum_step);
-    if (record_.nonfinite == 0 && !vanished) return;
+    const bool runaway = fastest_ > 0.0 && report.v_max > fastest_;
+    if (record_.nonfinite == 0 && !vanished && !runaway) return;
     if (good_.size() > 0 && good_.time > last_frame_) push_frame(std::move(good_));
     finish_frames();
     output_.steps.flush();
@@ -121,6 +124,10 @@ class RunLoop {
     if (record_.nonfinite > 0) {
       throw Error(when + std::to_string(record_.nonfinite) +
                   " infinite or undefined particle values, expected none" + where);
+    }
+    if (runaway) {
+      throw Error(when + "a particle at " + number_text(report.v_max) + " m/s, expected at most " +
+                  number_text(fastest_) + " m/s, a hundred times the reference speed" + where);
     }
     throw Error(when + "a time step of " + number_text(report.dt) + " s, expected more" + where);
   }
@@ -157,6 +164,8 @@ class RunLoop {
   RunOutput& output_;
   RunRecord& record_;
   std::function<bool()> stop_;
+  /// m/s; what is faster is no flow, and would go on for ages in tiny steps. 0: not known
+  double fastest_;
   Probes<D> probes_;
   Snapshot good_;
   double last_frame_ = 0.0;

@@ -71,7 +71,7 @@ Vec<D> conserving_gradient(std::size_t i, std::span<const std::uint32_t> neighbo
       counts);
 }
 
-/// First-order consistent gradient (Khayyer & Gotoh 2011, J. Comput. Phys. 230, Sec. 2.3):
+/// First-order consistent gradient (Khayyer & Gotoh 2011, J. Comput. Phys. 230):
 ///   C_i sum (phi_j - phi_i) (x_j - x_i) / r^2 w,  C_i = [ sum (x_j - x_i)(x_j - x_i)^T / r^2 w
 ///   ]^-1,
 /// exact for linear fields wherever the neighbours are. Empty where they are too few, or nearly in

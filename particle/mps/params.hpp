@@ -17,8 +17,7 @@ enum class PpeSolver {
 
 enum class NegativePressure {
   keep,
-  clip,        ///< set to zero
-  clip_at_air  ///< set to zero where a free surface is near: air lets water go
+  clip  ///< set to zero
 };
 
 /// Right side of the pressure equation.

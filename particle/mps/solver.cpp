@@ -205,7 +205,7 @@ Vec<D> Solver<D>::viscous_acceleration(std::size_t i, const Displacement<D>& dis
 
 /// A no-slip wall at rest shows the fluid its mirrored velocity, so that the line of no motion lies
 /// on the wall's surface: v_w = -sum_f v_f w / sum_f w (Adami, Hu & Adams 2012, J. Comput. Phys.
-/// 231, Eqs. 22 and 23, there for SPH).
+/// 231, there for SPH).
 template <int D>
 void Solver<D>::extrapolate_to_walls(const Displacement<D>& displacement) {
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
@@ -448,17 +448,13 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
-  const auto may_pull = [&](std::size_t i) {
-    if (params_.negative_pressure == NegativePressure::clip_at_air)
-      return !is_fluid(i) || !near_surface(i, displacement);
-    return params_.negative_pressure == NegativePressure::keep;
-  };
+  const bool clip = params_.negative_pressure == NegativePressure::clip;
   long clipped = 0;
 #pragma omp parallel for schedule(static, stretch) reduction(+ : clipped)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (unknown_[i] < 0) continue;
     double p = unknown_pressure_[unknown_[i]];
-    if (p < 0.0 && !may_pull(static_cast<std::size_t>(i))) {
+    if (clip && p < 0.0) {
       p = 0.0;
       clipped += p_.type[i] == ParticleType::fluid ? 1 : 0;
     }

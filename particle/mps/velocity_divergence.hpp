@@ -59,7 +59,7 @@ std::optional<std::array<Vec<D>, D>> velocity_gradient(std::size_t i,
 }
 
 /// Right side of the pressure equation with its sign turned, Pa/m^2, by Tanaka & Masunaga (2010),
-/// J. Comput. Phys. 229, Eq. 18:
+/// J. Comput. Phys. 229:
 ///   -<lap P>_i = -(1 - gamma) rho/dt div v* + gamma rho/dt^2 (n - n0)/n0.
 /// The divergence keeps the flow free of compression; the density error, which drives the pressure
 /// noise of Eq. (12), only takes back the drift: a share gamma of it in each step.

@@ -351,7 +351,7 @@ void Solver<D>::apply_equation_of_state(StepReport& report) {
 }
 
 /// Pressure of a wall particle from the fluid around it, with the hydrostatic difference (Adami, Hu
-/// & Adams 2012, J. Comput. Phys. 231, Eq. 27 for a wall at rest):
+/// & Adams 2012, J. Comput. Phys. 231, for a wall at rest):
 ///   p_w = sum_f [ p_f + rho_f g . (x_w - x_f) ] W_wf / sum_f W_wf,
 /// and its density from the equation of state. Negative values are set to zero: walls do not suck.
 template <int D>
@@ -391,7 +391,7 @@ void Solver<D>::extrapolate_to_walls(const K& kernel) {
 }
 
 /// What a no-slip wall at rest shows the viscous term, so that the line of no motion lies on its
-/// surface: v_w = -sum_f v_f W_wf / sum_f W_wf (Adami, Hu & Adams 2012, Eqs. 22 and 23).
+/// surface: v_w = -sum_f v_f W_wf / sum_f W_wf (Adami, Hu & Adams 2012).
 template <int D>
 template <class K>
 void Solver<D>::extrapolate_velocity(const K& kernel) {

@@ -24,6 +24,7 @@ class FakeSolver {
     time_ += report.dt;
     particles_.x[0][0] = steps_ == break_at_ ? std::nan("") : time_;
     particles_.pressure[0] = 1000.0 * time_;
+    report.v_max = 1.0 + rush_ * static_cast<double>(steps_);
     report.clipped = 2;
     report.lost = steps_ % 3;
     steps_ += 1;
@@ -37,6 +38,8 @@ class FakeSolver {
 
   [[nodiscard]] const std::vector<double>& taken() const { return taken_; }
   void break_at(long step) { break_at_ = step; }
+  /// Speed (m/s) that each step adds.
+  void rush(double rush) { rush_ = rush; }
 
  private:
   std::function<double(long)> stable_;
@@ -45,6 +48,7 @@ class FakeSolver {
   double time_ = 0.0;
   long steps_ = 0;
   long break_at_ = -1;
+  double rush_ = 0.0;
   std::vector<double> taken_;
 };
 
@@ -106,7 +110,7 @@ TEST_F(RunLoopTest, TableHasARowPerStepAndTheProbes) {
             "time,dt,courant,v_max,ppe_iterations,ppe_residual,particle_collisions,wall_collisions,"
             "clipped,lost,corner");
   std::getline(table, row);
-  EXPECT_EQ(row, "0.001,0.001,0,0,0,0,0,0,2,0,1");  // the particle is near the probe: 1000 Pa/s
+  EXPECT_EQ(row, "0.001,0.001,0,1,0,0,0,0,2,0,1");  // the particle is near the probe: 1000 Pa/s
   int rows = 1;
   while (std::getline(table, row)) ++rows;
   EXPECT_EQ(rows, 20);
@@ -140,6 +144,20 @@ TEST_F(RunLoopTest, AVanishingStepStopsTheRun) {
   FakeSolver solver([](long step) { return step < 10 ? 0.001 : 1e-18; });
   EXPECT_THROW(run(solver), Error);
   EXPECT_LT(record_.steps, 100);
+}
+
+TEST_F(RunLoopTest, AParticleThatIsTooFastForTheFlowStopsTheRun) {
+  case_.reference_speed = 0.5;
+  FakeSolver solver([](long) { return 0.001; });
+  solver.rush(10.0);  // past 50 m/s at the sixth step
+  try {
+    run(solver);
+    FAIL() << "went on";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("step 6"));
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("found a particle at 51 m/s, expected at most 50"));
+  }
 }
 
 TEST_F(RunLoopTest, AnInterruptedRunWritesItsLastState) {
