@@ -62,6 +62,10 @@ inline constexpr std::array enum_names<mps::ViscousTerm>{
     Named{"laplacian", mps::ViscousTerm::laplacian},
     Named{"deformation", mps::ViscousTerm::deformation}};
 template <>
+inline constexpr std::array enum_names<mps::PositionUpdate>{
+    Named{"new_velocity", mps::PositionUpdate::new_velocity},
+    Named{"mean_velocity", mps::PositionUpdate::mean_velocity}};
+template <>
 inline constexpr std::array enum_names<sph::ViscousTerm>{
     Named{"laplacian", sph::ViscousTerm::laplacian},
     Named{"deformation", sph::ViscousTerm::deformation}};
@@ -111,6 +115,9 @@ void visit_options(P& p, Visitor&& option) {
          "source of the pressure equation; divergence_and_density is Tanaka & Masunaga (2010)");
   option("density_share", p.density_share, Bounds::closed(0.0, 1.0),
          "gamma, the share of the density error in divergence_and_density");
+  option("divergence_time", p.divergence_time, Bounds::at_least(0.0),
+         "time to take back the divergence that earlier steps left, in l0 over the reference speed; "
+         "0: a step");
   option("laplacian_of", p.laplacian_of, any,
          "dynamic_pressure leaves the hydrostatic part out of the pressure equation");
   option("surface_at", p.surface_at, any,
@@ -128,6 +135,8 @@ void visit_options(P& p, Visitor&& option) {
   option("source_relaxation", p.source_relaxation, Bounds::above_to(0.0, 1.0),
          "factor on the source of the pressure equation, Eq. (12)");
   option("negative_pressure", p.negative_pressure, any, "what becomes of negative pressures");
+  option("position_update", p.position_update, any,
+         "particles move with the new velocity, or with the mean of old and new");
   option("ppe_solver", p.ppe_solver, any, "solver of the pressure equation");
   option("ppe_tolerance", p.ppe_tolerance, Bounds::open(0.0, 1.0),
          "relative residual at which the pressure solver stops");

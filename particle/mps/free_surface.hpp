@@ -49,6 +49,9 @@ class LayerThickness {
         density_(lattice_sum<D - 1>(re / l0, [&](double r) { return mps_weight(r * l0, re); })),
         slope_(lattice_sum<D - 1>(re / l0, [&](double r) { return re / (r * l0); }) / (D - 1)) {}
 
+  /// Number density in the top layer of the lattice under a flat surface, n0 being that inside.
+  [[nodiscard]] double flat_density(double n0) const { return 0.5 * (n0 + density_); }
+
   /// on_surface(j): whether j is a surface particle of the fluid
   template <class OnSurface>
   double operator()(std::size_t i, std::span<const std::uint32_t> neighbours,

@@ -57,6 +57,12 @@ enum class ViscousTerm {
   deformation  ///< by the rate of deformation, pairwise along the line between the particles
 };
 
+/// Which velocity particles are moved with.
+enum class PositionUpdate {
+  new_velocity,  ///< that at the end of the step, as in the paper
+  mean_velocity  ///< the mean of both ends, second order in time (Cummins & Rudman 1999)
+};
+
 /// Choices of the MPS method. Lengths are in units of the particle spacing l0.
 struct Params {
   double re_gradient = 2.1;   ///< number density, gradient and free surface
@@ -66,6 +72,7 @@ struct Params {
   double surface_offset = 0.0;  ///< > 0: and neighbours lie to one side by more than this
   Source source = Source::number_density;
   double density_share = 0.01;  ///< gamma of Tanaka & Masunaga (2010)
+  double divergence_time = 0.0;  ///< to take old divergence back, l0/reference speed; 0: a step
   LaplacianOf laplacian_of = LaplacianOf::pressure;
   SurfaceAt surface_at = SurfaceAt::centre;
   WallCoupling wall_coupling = WallCoupling::all;
@@ -75,6 +82,7 @@ struct Params {
   ViscousTerm viscous_term = ViscousTerm::laplacian;
   double source_relaxation = 1.0;  ///< factor on the right side of Eq. (12)
   NegativePressure negative_pressure = NegativePressure::clip;
+  PositionUpdate position_update = PositionUpdate::new_velocity;
   PpeSolver ppe_solver = PpeSolver::multigrid;
   double ppe_tolerance = 1e-6;  ///< relative residual
   int ppe_max_iterations = 2000;

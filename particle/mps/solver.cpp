@@ -20,6 +20,7 @@ namespace surge::mps {
 namespace {
 
 constexpr double single_layer = 0.4;  ///< of n0; a layer of the lattice alone has 0.35
+constexpr double edge = 0.9;          ///< of the density under a flat surface; a corner has 0.63
 constexpr double least_pivot = 0.3;   ///< of a corrected gradient; 1 on the full lattice
 constexpr int wall_layers = 3;        ///< the paper's; the inner one carries pressure
 
@@ -27,6 +28,12 @@ template <int D>
 double factor_of(const Params& params, double l0) {
   return laplacian_factor<D>(reference_number_density<D>(params.re_laplacian),
                              laplacian_lambda<D>(params.lambda, params.re_laplacian, l0));
+}
+
+/// s; a case without a speed has no such time.
+double divergence_time_of(const Params& params, const Case& c) {
+  const double speed = reference_speed(c);
+  return speed > 0.0 ? params.divergence_time * c.spacing / speed : 0.0;
 }
 
 /// From the nearest point of a box to x; zero inside. m
@@ -68,6 +75,7 @@ Solver<D>::Solver(const Case& c)
       n0_(reference_number_density<D>(params_.re_gradient)),
       laplacian_factor_(factor_of<D>(params_, c.spacing)),
       layer_thickness_(re_, c.spacing),
+      divergence_time_(divergence_time_of(params_, c)),
       viscous_lambda_(laplacian_lambda<D>(Lambda::lattice, params_.re_laplacian, c.spacing)),
       collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
       walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
@@ -352,10 +360,7 @@ double Solver<D>::source(std::size_t i, double dt, const Displacement<D>& displa
   if (params_.surface_at == SurfaceAt::half_spacing) still += surface_source(i, displacement);
   if (params_.source == Source::number_density)
     return poisson_source(p_.density[i], n0_, rho_, dt, params_.source_relaxation) + still;
-  // What gravity has just added to the fluid, and not to the walls, is in `still`.
-  const double fallen = dynamic ? dt : 0.0;
-  const auto relative = [&](std::size_t j) { return relative_velocity(i, j, fallen); };
-  const double divergence = velocity_divergence_of(i, displacement, relative);
+  const double divergence = divergence_to_remove(i, dt, displacement);
   // Under a surface neighbours are missing, not far apart.
   double n = p_.density[i];
   if (n < n0_ && near_surface(i, displacement)) n = n0_;
@@ -415,20 +420,31 @@ Vec<D> Solver<D>::relative_velocity(std::size_t i, std::size_t j, double fallen)
   return v;
 }
 
+/// Divergence of the velocity that this step's pressure takes back, 1/s. What this step's motion has
+/// made, -dt tr(grad v grad v), goes at once. The rest is what the models of divergence, gradient
+/// and Laplacian, which do not belong together, have left over, and goes within divergence_time_:
+/// taken back in every step it would come as pulses, the stronger the shorter the step. The source
+/// is that of the MAC method (Harlow & Welch 1965, Phys. Fluids 8), the time that of Baumgarte's
+/// stabilisation of constraints (1972, Comput. Methods Appl. Mech. Eng. 1).
 template <int D>
-template <class Relative>
-double Solver<D>::velocity_divergence_of(std::size_t i, const Displacement<D>& displacement,
-                                         Relative&& relative) const {
+double Solver<D>::divergence_to_remove(std::size_t i, double dt,
+                                       const Displacement<D>& displacement) const {
+  // What gravity has just added to the fluid, and not to the walls, is in still_source().
+  const double fallen = params_.laplacian_of == LaplacianOf::dynamic_pressure ? dt : 0.0;
+  const auto relative = [&](std::size_t j) { return relative_velocity(i, j, fallen); };
   const auto everyone = [](std::size_t) { return true; };
-  if (params_.gradient == GradientModel::corrected) {
-    if (const auto gradient = velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_,
-                                                   least_pivot, relative, everyone)) {
-      double trace = 0.0;
-      for (int a = 0; a < D; ++a) trace += (*gradient)[a][a];
-      return trace;
-    }
+  const auto gradient = velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot,
+                                             relative, everyone);
+  double divergence = 0.0;
+  if (gradient && params_.gradient == GradientModel::corrected) {
+    for (int a = 0; a < D; ++a) divergence += (*gradient)[a][a];
+  } else {
+    divergence =
+        velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
   }
-  return velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
+  if (dt >= divergence_time_) return divergence;
+  const double made = gradient ? -dt * convected_divergence<D>(*gradient) : 0.0;
+  return made + dt / divergence_time_ * (divergence - made);
 }
 
 template <int D>
@@ -464,7 +480,7 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
 }
 
 // Eq. (11)
-/// v' = -dt/rho grad P.
+/// v' = -dt/rho grad P, and the positions that follow from it.
 template <int D>
 void Solver<D>::correct(double dt, StepReport& report) {
   {
@@ -480,6 +496,12 @@ void Solver<D>::correct(double dt, StepReport& report) {
       for (int a = 0; a < D; ++a) p_.v[a][i] += correction_[a][i];
     });
   }
+  if (params_.position_update == PositionUpdate::mean_velocity) {
+    // The particles have gone dt v*: from there to dt (v + v')/2, v being the velocity before gravity.
+    for_each_fluid([&](std::size_t i) {
+      for (int a = 0; a < D; ++a) correction_[a][i] = 0.5 * (correction_[a][i] - dt * gravity_[a]);
+    });
+  }
   move(dt, correction_, report);
 }
 
@@ -489,8 +511,8 @@ void Solver<D>::update_surface_pressure(double dt, const Displacement<D>& displa
   find_concentration_gradient(displacement);
   for_each_fluid([&](std::size_t i) {
     surface_pressure_[i] = 0.0;
-    // Spray falls freely.
-    if (on_free_surface(p_.density[i], single_layer, n0_)) return;
+    // Spray falls freely, and so do tips and edges: what is outside of them is not a layer.
+    if (on_free_surface(p_.density[i], edge, layer_thickness_.flat_density(n0_))) return;
     const Vec<D> inward = surface_normal(i, displacement);
     const double length = std::sqrt(squared_norm<D>(inward));
     if (length == 0.0) return;

@@ -70,9 +70,8 @@ class Solver {
   [[nodiscard]] double still_source(std::size_t i, const Displacement<D>& displacement) const;
   [[nodiscard]] Vec<D> shift_of(std::size_t i, double dt,
                                 const Displacement<D>& displacement) const;
-  template <class Relative>
-  [[nodiscard]] double velocity_divergence_of(std::size_t i, const Displacement<D>& displacement,
-                                              Relative&& relative) const;
+  [[nodiscard]] double divergence_to_remove(std::size_t i, double dt,
+                                            const Displacement<D>& displacement) const;
   void find_minima(const Displacement<D>& displacement);
   [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   /// Fastest particle.
@@ -106,6 +105,7 @@ class Solver {
   double n0_;               ///< Eq. (9), at re
   double laplacian_factor_;
   LayerThickness<D> layer_thickness_;
+  double divergence_time_;  ///< s
   double viscous_lambda_;  ///< m2; the lattice's, whatever the pressure equation has
   CollisionModel<D> collision_;
   WallCollision<D> walls_;

@@ -58,6 +58,16 @@ std::optional<std::array<Vec<D>, D>> velocity_gradient(std::size_t i,
   return sum;
 }
 
+/// Rate at which the divergence falls while particles go on with their velocities, 1/s^2:
+///   -d(div v)/dt = tr(grad v grad v).
+template <int D>
+double convected_divergence(const std::array<Vec<D>, D>& velocity_gradient) {
+  double sum = 0.0;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) sum += velocity_gradient[a][b] * velocity_gradient[b][a];
+  return sum;
+}
+
 /// Right side of the pressure equation with its sign turned, Pa/m^2, by Tanaka & Masunaga (2010),
 /// J. Comput. Phys. 229:
 ///   -<lap P>_i = -(1 - gamma) rho/dt div v* + gamma rho/dt^2 (n - n0)/n0.

@@ -52,6 +52,25 @@ TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
               HasSubstr("depends on"));
 }
 
+// The same run as above, but by a formulation that the paper says nothing about.
+TEST(Claims, OfThePaperAreNotJudgedByNewerFormulations) {
+  const SyntheticStudy files;
+  std::string study = read_text(files.study());
+  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
+  testing::write_text(files.study(), study);
+  files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+  const auto file = files.runs() / "mps-b/manifest.json";
+  json manifest = json::parse(read_text(file));
+  manifest["case"]["method"]["preset"] = "improved";
+  testing::write_text(file, manifest.dump());
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "reproduced");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "reproduced");
+  EXPECT_EQ(metrics["summary"]["methods"]["mps"]["run"], "mps-a");
+  EXPECT_EQ(metrics["summary"]["beyond"]["mps"]["run"], "mps-b");
+  EXPECT_TRUE(metrics["summary"]["beyond"]["sph"].is_null());
+}
+
 TEST(Claims, WithoutRunsNothingIsSaid) {
   const SyntheticStudy files;
   std::filesystem::remove_all(files.runs() / "sph-a");
