@@ -145,9 +145,8 @@ Figure cost_and_error_figure(const json& sequences, const json& pareto) {
       table.add(
           {"unbeaten", "one", point["wall_s"].get<double>(), point["rms"].get<double>(), 1.0});
   }
-  std::vector<std::string> plots{
-      filter(figure.name, "unbeaten", "one", "wall_s", "rms") +
-      " with steps lw 4 lc rgb \"#d0d0d0\" title \"Pareto front\""};
+  std::vector<std::string> plots{filter(figure.name, "unbeaten", "one", "wall_s", "rms") +
+                                 " with steps lw 4 lc rgb \"#d0d0d0\" title \"Pareto front\""};
   for (const auto& [label, style] : styles) {
     const bool there = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
       return std::get<std::string>(row[0]) == label;

@@ -115,9 +115,10 @@ void visit_options(P& p, Visitor&& option) {
          "source of the pressure equation; divergence_and_density is Tanaka & Masunaga (2010)");
   option("density_share", p.density_share, Bounds::closed(0.0, 1.0),
          "gamma, the share of the density error in divergence_and_density");
-  option("divergence_time", p.divergence_time, Bounds::at_least(0.0),
-         "time to take back the divergence that earlier steps left, in l0 over the reference speed; "
-         "0: a step");
+  option(
+      "divergence_time", p.divergence_time, Bounds::at_least(0.0),
+      "time to take back the divergence that earlier steps left, in l0 over the reference speed; "
+      "0: a step");
   option("laplacian_of", p.laplacian_of, any,
          "dynamic_pressure leaves the hydrostatic part out of the pressure equation");
   option("surface_at", p.surface_at, any,

@@ -71,7 +71,7 @@ struct Params {
   double beta = 0.97;           ///< Eq. (14): free surface where n < beta n0
   double surface_offset = 0.0;  ///< > 0: and neighbours lie to one side by more than this
   Source source = Source::number_density;
-  double density_share = 0.01;  ///< gamma of Tanaka & Masunaga (2010)
+  double density_share = 0.01;   ///< gamma of Tanaka & Masunaga (2010)
   double divergence_time = 0.0;  ///< to take old divergence back, l0/reference speed; 0: a step
   LaplacianOf laplacian_of = LaplacianOf::pressure;
   SurfaceAt surface_at = SurfaceAt::centre;

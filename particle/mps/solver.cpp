@@ -19,10 +19,9 @@
 namespace surge::mps {
 namespace {
 
-constexpr double single_layer = 0.4;  ///< of n0; a layer of the lattice alone has 0.35
-constexpr double edge = 0.9;          ///< of the density under a flat surface; a corner has 0.63
-constexpr double least_pivot = 0.3;   ///< of a corrected gradient; 1 on the full lattice
-constexpr int wall_layers = 3;        ///< the paper's; the inner one carries pressure
+constexpr double edge = 0.9;         ///< of the density under a flat surface; a corner has 0.63
+constexpr double least_pivot = 0.3;  ///< of a corrected gradient; 1 on the full lattice
+constexpr int wall_layers = 3;       ///< the paper's; the inner one carries pressure
 
 template <int D>
 double factor_of(const Params& params, double l0) {
@@ -420,12 +419,12 @@ Vec<D> Solver<D>::relative_velocity(std::size_t i, std::size_t j, double fallen)
   return v;
 }
 
-/// Divergence of the velocity that this step's pressure takes back, 1/s. What this step's motion has
-/// made, -dt tr(grad v grad v), goes at once. The rest is what the models of divergence, gradient
-/// and Laplacian, which do not belong together, have left over, and goes within divergence_time_:
-/// taken back in every step it would come as pulses, the stronger the shorter the step. The source
-/// is that of the MAC method (Harlow & Welch 1965, Phys. Fluids 8), the time that of Baumgarte's
-/// stabilisation of constraints (1972, Comput. Methods Appl. Mech. Eng. 1).
+/// Divergence of the velocity that this step's pressure takes back, 1/s. What this step's motion
+/// has made, -dt tr(grad v grad v), goes at once. The rest is what the models of divergence,
+/// gradient and Laplacian, which do not belong together, have left over, and goes within
+/// divergence_time_: taken back in every step it would come as pulses, the stronger the shorter the
+/// step. The source is that of the MAC method (Harlow & Welch 1965, Phys. Fluids 8), the time that
+/// of Baumgarte's stabilisation of constraints (1972, Comput. Methods Appl. Mech. Eng. 1).
 template <int D>
 double Solver<D>::divergence_to_remove(std::size_t i, double dt,
                                        const Displacement<D>& displacement) const {
@@ -433,14 +432,13 @@ double Solver<D>::divergence_to_remove(std::size_t i, double dt,
   const double fallen = params_.laplacian_of == LaplacianOf::dynamic_pressure ? dt : 0.0;
   const auto relative = [&](std::size_t j) { return relative_velocity(i, j, fallen); };
   const auto everyone = [](std::size_t) { return true; };
-  const auto gradient = velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot,
-                                             relative, everyone);
+  const auto gradient =
+      velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot, relative, everyone);
   double divergence = 0.0;
   if (gradient && params_.gradient == GradientModel::corrected) {
     for (int a = 0; a < D; ++a) divergence += (*gradient)[a][a];
   } else {
-    divergence =
-        velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
+    divergence = velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);
   }
   if (dt >= divergence_time_) return divergence;
   const double made = gradient ? -dt * convected_divergence<D>(*gradient) : 0.0;
@@ -497,7 +495,8 @@ void Solver<D>::correct(double dt, StepReport& report) {
     });
   }
   if (params_.position_update == PositionUpdate::mean_velocity) {
-    // The particles have gone dt v*: from there to dt (v + v')/2, v being the velocity before gravity.
+    // The particles have gone dt v*: from there to dt (v + v')/2, v being the velocity before
+    // gravity.
     for_each_fluid([&](std::size_t i) {
       for (int a = 0; a < D; ++a) correction_[a][i] = 0.5 * (correction_[a][i] - dt * gravity_[a]);
     });
@@ -568,8 +567,8 @@ void Solver<D>::shift_particles(double dt, StepReport& report) {
 /// m
 template <int D>
 Vec<D> Solver<D>::shift_of(std::size_t i, double dt, const Displacement<D>& displacement) const {
-  // Spray and sheets of one layer have no inside to be evened out.
-  if (on_free_surface(p_.density[i], single_layer, n0_)) return {};
+  // Spray and edges have no inside to be evened out, nor a direction along the surface.
+  if (on_free_surface(p_.density[i], edge, layer_thickness_.flat_density(n0_))) return {};
   Vec<D> g;
   for (int a = 0; a < D; ++a) g[a] = concentration_gradient_[a][i];
   Vec<D> s = shift<D>(g, surface_normal(i, displacement), params_.shifting, spacing_, v_max_ * dt);

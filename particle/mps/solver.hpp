@@ -106,7 +106,7 @@ class Solver {
   double laplacian_factor_;
   LayerThickness<D> layer_thickness_;
   double divergence_time_;  ///< s
-  double viscous_lambda_;  ///< m2; the lattice's, whatever the pressure equation has
+  double viscous_lambda_;   ///< m2; the lattice's, whatever the pressure equation has
   CollisionModel<D> collision_;
   WallCollision<D> walls_;
 

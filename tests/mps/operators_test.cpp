@@ -348,7 +348,9 @@ void expect_velocity_gradient_exact() {
   for (int a = 0; a < D; ++a)
     for (int b = 0; b < D; ++b)
       EXPECT_NEAR((*gradient)[a][b], a == b ? a + 1.0 : (a == 0 && b == 1 ? 7.0 : 0.0), 1e-10);
-  // The plain divergence is not.
+  // 1 + 4 (+ 9); the shear adds nothing.
+  EXPECT_NEAR(convected_divergence<D>(*gradient), D * (D + 1) * (2 * D + 1) / 6.0, 1e-9);
+  // The plain divergence is not exact.
   const double plain = velocity_divergence<D>(lattice.middle, neighbours, displacement, re * l0, n0,
                                               relative, everyone);
   EXPECT_GT(std::abs(plain - D * (D + 1) / 2.0), 0.1);
@@ -515,6 +517,26 @@ void expect_thickness_follows() {
       EXPECT_NEAR(found / l0, 1.0 + (D - 1) * e, 10.0 * e * e + 1e-12) << e;
     }
   }
+}
+
+template <int D>
+void expect_flat_density() {
+  const double re = 3.1;
+  Lattice<D> lattice(4, re * l0);
+  const Displacement<D> displacement(lattice.x, {});
+  const Field height = lattice.x[D - 1];
+  double n = 0.0;
+  for_each_within<D>(
+      lattice.middle, lattice.list.of(lattice.middle), displacement, re * l0,
+      [&](std::size_t j) { return height[j] < 0.5 * l0; },
+      [&](std::size_t, const Vec<D>&, double r2) { n += mps_weight(std::sqrt(r2), re * l0); });
+  const double n0 = reference_number_density<D>(re);
+  EXPECT_NEAR(LayerThickness<D>(re * l0, l0).flat_density(n0), n, 1e-10);
+}
+
+TEST(LayerThickness, FlatDensityIsThatOfTheTopLayer) {
+  expect_flat_density<2>();
+  expect_flat_density<3>();
 }
 
 TEST(LayerThickness, FollowsTheSpacingAlongTheLayer2D) {

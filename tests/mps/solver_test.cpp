@@ -2,6 +2,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -80,6 +81,20 @@ TEST(MpsSolver, FreeFallIsExact) {
   }
 }
 
+TEST(MpsSolver, FreeFallByTheMeanVelocityIsAParabola) {
+  Case c = small_dam();
+  c.has_tank = false;
+  std::get<Params>(c.method).position_update = PositionUpdate::mean_velocity;
+  Solver<2> solver(c);
+  const auto start = positions(solver);
+  for (int k = 0; k < 20; ++k) solver.step(1.0);
+  const double t = solver.time();
+  for (const auto& [id, x] : positions(solver)) {
+    EXPECT_NEAR(x[0], start.at(id)[0], 1e-9);
+    EXPECT_NEAR(x[1], start.at(id)[1] - 0.5 * 9.81 * t * t, 1e-9);
+  }
+}
+
 /// Still water over a floor, periodic sideways, its rows moved at random by up to 0.4 spacings.
 Case uneven_still_water() {
   Case c = small_dam();
@@ -135,6 +150,25 @@ TEST(MpsSolver, SurfaceLiesHalfASpacingOutsideItsParticles) {
     if (p.type[i] != ParticleType::fluid) continue;
     EXPECT_NEAR(p.pressure[i], 9810.0 * (0.1 - p.x[1][i]), 0.03 * 9810.0 * 0.1);
   }
+}
+
+// The divergence that a sudden stop makes is met at once, or by dt over the time to take it back.
+TEST(MpsSolver, TakesDivergenceBackOverItsTime) {
+  Case c = uneven_still_water();
+  c.gravity = {};
+  for (auto& block : c.blocks) block.velocity = {0.0, -1.0, 0.0};
+  const double dt = 1e-6;
+  Solver<2> at_once(c);
+  at_once.step(dt);
+  std::get<Params>(c.method).divergence_time = 1e-3;  // so short that the motion adds little
+  Solver<2> slowly(c);
+  slowly.step(dt);
+  const auto& p = at_once.particles().pressure;
+  const double most = *std::max_element(p.begin(), p.end());
+  const double share = dt / (1e-3 * c.spacing / 1.0);
+  ASSERT_GT(most, 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    EXPECT_NEAR(slowly.particles().pressure[i], share * p[i], 1e-3 * share * most);
 }
 
 // Water that slides along a wall meets no resistance from the places of the wall's particles.

@@ -79,7 +79,7 @@ TEST(StretchingDrop, DeltaPlus) {
 // At this spacing neighbours approach at just the speed at which particles collide.
 TEST(StretchingDrop, MpsImproved) {
   const auto [x, y, energy] = drop_errors<mps::Solver<2>>("mps", "improved");
-  EXPECT_LT(std::abs(x), 0.025);
+  EXPECT_LT(std::abs(x), 0.02);
   EXPECT_LT(std::abs(y), 0.01);
   EXPECT_LT(std::abs(energy), 0.11);
 }
@@ -129,22 +129,29 @@ TEST(RotatingPatch, DeltaPlusKeepsMomentumAndAngularMomentum) {
 // The mean square distance from the axis grows as 1 + 0.157 (omega t)^2, the square's torsion
 // constant, because the pressure inside is negative; without it as 1 + (omega t)^2.
 template <class S>
-void expect_patch_holds_together(const std::string& method, const std::string& preset) {
-  S solver(known_flow("rotating_patch", method, preset, {"resolution.spacing=0.05"}));
+double patch_spreading(const std::string& method, const std::string& preset,
+                       std::vector<std::string> more = {}) {
+  more.push_back("resolution.spacing=0.05");
+  S solver(known_flow("rotating_patch", method, preset, more));
   const Sums begin = sums_of(solver);
   while (solver.time() < 0.5) solver.step(0.5 - solver.time());
   const Sums end = sums_of(solver);
-  const double growth = (end.square[0] + end.square[1]) / (begin.square[0] + begin.square[1]);
-  EXPECT_NEAR((growth - 1.0) / 0.25, 0.157, 0.05);
   EXPECT_NEAR(end.angular_momentum, begin.angular_momentum, 0.03 * begin.angular_momentum);
   EXPECT_NEAR(end.energy, begin.energy, 0.05 * begin.energy);
+  const double growth = (end.square[0] + end.square[1]) / (begin.square[0] + begin.square[1]);
+  return (growth - 1.0) / 0.25;
 }
 
 TEST(RotatingPatch, DeltaPlusHoldsTogether) {
-  expect_patch_holds_together<sph::Solver<2>>("sph", "delta-plus");
+  EXPECT_NEAR(patch_spreading<sph::Solver<2>>("sph", "delta-plus"), 0.157, 0.05);
 }
-TEST(RotatingPatch, MpsImprovedHoldsTogether) {
-  expect_patch_holds_together<mps::Solver<2>>("mps", "improved");
+
+// Positions by the new velocity would make it depend on the step.
+TEST(RotatingPatch, MpsImprovedHoldsTogetherWithAnyTimeStep) {
+  const double spreading = patch_spreading<mps::Solver<2>>("mps", "improved");
+  EXPECT_NEAR(spreading, 0.157, 0.03);
+  EXPECT_NEAR(patch_spreading<mps::Solver<2>>("mps", "improved", {"time.courant=0.1"}), spreading,
+              0.005);
 }
 
 }  // namespace
