@@ -35,6 +35,7 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
   for (Field& field : shift_) field.resize(size);
   for (Field& field : moment_) field.resize(size);
   for (Field& field : inward_) field.resize(size);
+  for (Field& field : wall_normal_) field.resize(size);
   sum_neighbours(kernel, grid, p, fluid_volume, fluid_before);
   find_surface(kernel, grid, p, fluid_volume, fluid_before);
 
@@ -47,7 +48,9 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
       Vec<D> gradient;
       for (int a = 0; a < D; ++a) gradient[a] = shift_[a][i];
       const double limit = std::min(speed_limit, std::sqrt(relative_[i] / weight_[i]));
-      shift = shifting_velocity(gradient, h_, speed_, limit);
+      Vec<D> wall_normal;
+      for (int a = 0; a < D; ++a) wall_normal[a] = wall_normal_[a][i];
+      shift = along_wall(shifting_velocity(gradient, h_, speed_, limit), wall_normal);
       if (near_surface(i)) {
         Vec<D> outward;
         for (int a = 0; a < D; ++a) outward[a] = -inward_[a][i];
@@ -58,7 +61,7 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
   }
 }
 
-/// G, M and how fast the neighbours move past, in one pass over the pairs.
+/// G, M, how fast the neighbours move past and where walls are, in one pass over the pairs.
 template <int D>
 template <class K>
 void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
@@ -83,6 +86,7 @@ void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
   for (int m = 0; m < moments; ++m) out[D + m] = moment_[m].data();
   out[D + moments] = relative_.data();
   out[D + moments + 1] = weight_.data();
+  for (int a = 0; a < D; ++a) out[D + moments + 2 + a] = wall_normal_[a].data();
 
   const double value_at_spacing = kernel.value(spacing_);
   const auto pair = [&](const auto& i, const auto& j) {
@@ -116,6 +120,10 @@ void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
     terms.to_j[m + 1] = value * i[2 * D + 1];
     terms.to_i[m] = terms.to_i[m + 1] * speed2;
     terms.to_j[m] = terms.to_j[m + 1] * speed2;
+    for (int a = 0; a < D; ++a) {
+      terms.to_i[m + 2 + a] = -slope * (j[2 * D] - j[2 * D + 1]) * dx[a];
+      terms.to_j[m + 2 + a] = slope * (i[2 * D] - i[2 * D + 1]) * dx[a];
+    }
     return terms;
   };
   neighbour_loop_(

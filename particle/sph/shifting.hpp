@@ -60,6 +60,22 @@ std::array<double, D> along_surface(std::array<double, D> shift,
   return shift;
 }
 
+/// A shift without its part towards a wall or away from it; `normal` has any length, zero far from
+/// walls. A wall does not give way to what is shifted: density_rate() would take a shift towards it
+/// for thinner fluid, whose pressure draws in more, and in a corner that runs away.
+template <std::size_t D>
+std::array<double, D> along_wall(std::array<double, D> shift, const std::array<double, D>& normal) {
+  double dot = 0.0;
+  double square = 0.0;
+  for (std::size_t a = 0; a < D; ++a) {
+    dot += shift[a] * normal[a];
+    square += normal[a] * normal[a];
+  }
+  if (square > 0.0)
+    for (std::size_t a = 0; a < D; ++a) shift[a] -= dot / square * normal[a];
+  return shift;
+}
+
 /// What lies about each fluid particle: whether the free surface is near, and where the particle
 /// should be shifted to.
 ///
@@ -112,7 +128,7 @@ class Surroundings {
 
  private:
   static constexpr int moments = D * (D + 1) / 2;
-  static constexpr int sums = D + moments + 2;
+  static constexpr int sums = 2 * D + moments + 2;
 
   template <class K>
   void sum_neighbours(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
@@ -127,6 +143,7 @@ class Surroundings {
   Field volume_;                       ///< of walls too
   std::array<Field, D> shift_;         ///< first G, then the velocity
   std::array<Field, moments> moment_;  ///< M, row by row from the diagonal on
+  std::array<Field, D> wall_normal_;   ///< sum of V grad W over walls, 1/m
   Field relative_;                     ///< sum of V W |v_j - v_i|^2 over fluid
   Field weight_;                       ///< sum of V W over fluid, without the particle itself
   Field lambda_;

@@ -48,6 +48,11 @@ struct Layer {
   void survey() {
     grid.build(p.x, 2.0 * h, 2);
     grid.reorder(p);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const bool fluid = p.type[i] == ParticleType::fluid;
+      fluid_volume[i] = fluid ? l0 * l0 : 0.0;
+      fluid_before[i + 1] = fluid_before[i] + (fluid ? 1 : 0);
+    }
     surroundings.survey(kernel, grid, p, fluid_volume, fluid_before, 1.0);
   }
   [[nodiscard]] double shift(int a, std::size_t i) const { return surroundings.shift()[a][i]; }
@@ -133,6 +138,53 @@ TEST(Shifting, OnlyWhatLeadsOutIsTakenOff) {
   EXPECT_NEAR(out[1], 0.0, 1e-15);
   EXPECT_EQ(along_surface(V{1.0, -2.0}, V{0.0, 3.0}), (V{1.0, -2.0}));
   EXPECT_EQ(along_surface(V{1.0, 2.0}, V{0.0, 0.0}), (V{1.0, 2.0}));
+}
+
+TEST(Shifting, NothingTowardsAWallOrAway) {
+  using V = std::array<double, 2>;
+  for (const double into : {3.0, -3.0}) {
+    const V out = along_wall(V{1.0, 2.0}, V{0.0, into});
+    EXPECT_NEAR(out[0], 1.0, 1e-15);
+    EXPECT_NEAR(out[1], 0.0, 1e-15);
+  }
+  EXPECT_EQ(along_wall(V{1.0, 2.0}, V{0.0, 0.0}), (V{1.0, 2.0}));
+
+  // The lowest three rows are a wall.
+  Layer layer(count / 2, 0.0, 0.5);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-0.1 * l0, 0.1 * l0);
+  for (std::size_t i = 0; i < layer.p.size(); ++i) {
+    if (i < 3 * count)
+      layer.p.type[i] = ParticleType::dummy;
+    else
+      layer.p.x[0][i] += any(random);  // along the wall
+  }
+  layer.survey();
+  long seen = 0;
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < layer.p.size(); ++i) {
+    if (layer.p.type[i] != ParticleType::fluid || layer.p.x[1][i] > 5.0 * l0) continue;
+    ++seen;
+    double along = 0.0;
+    double length = 0.0;
+    Vec<2> normal{};
+    for (std::size_t j = 0; j < layer.p.size(); ++j) {
+      if (layer.p.type[j] == ParticleType::fluid) continue;
+      const Vec<2> d{std::remainder(layer.p.x[0][j] - layer.p.x[0][i], 1.0),
+                     layer.p.x[1][j] - layer.p.x[1][i]};
+      const double r = std::hypot(d[0], d[1]);
+      for (std::size_t a = 0; a < 2; ++a) normal[a] -= layer.kernel.derivative(r) / r * d[a];
+    }
+    for (int a = 0; a < 2; ++a) {
+      along += layer.shift(a, i) * normal[a];
+      length += normal[a] * normal[a];
+    }
+    ASSERT_LT(normal[1], 0.0);
+    EXPECT_NEAR(along / std::sqrt(length), 0.0, 1e-12);
+    fastest = std::max(fastest, std::abs(layer.shift(0, i)));
+  }
+  EXPECT_EQ(seen, 2 * count);
+  EXPECT_GT(fastest, 1e-2 * l0);
 }
 
 // Evening out moves the particles apart on the whole, by sum_i V_i div du_i, and only that is seen.
