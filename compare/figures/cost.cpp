@@ -118,8 +118,8 @@ Figure cost_figure(const StudyResult& study) {
   figure.script =
       "set multiplot\nset logscale xy\nset format \"10^{%L}\"\nset xlabel \"fluid particles\" "
       "offset 0,0.4\nset tmargin at screen 0.97\nset bmargin at screen 0.36\n" +
-      panel_place(0.06, 0.49) + "set ylabel \"ms per step\" offset 1.2\n" + step_panel(curves) +
-      panel_place(0.56, 0.99) + "set ylabel \"total, s\" offset 1.2\n" + total_panel(curves) +
+      panel_place(0.085, 0.485) + "set ylabel \"ms per step\" offset 1.2\n" + step_panel(curves) +
+      panel_place(0.575, 0.975) + "set ylabel \"total, s\" offset 1.2\n" + total_panel(curves) +
       "unset multiplot\n";
   return figure;
 }

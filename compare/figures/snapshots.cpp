@@ -26,7 +26,7 @@ struct Row {
 
 /// Layout in mm; the origin is the figure's upper left corner.
 struct Layout {
-  double left = 12.0, right = 3.0, top = 7.0, bottom = 26.0, column_gap = 3.5, row_gap = 6.0;
+  double left = 12.0, right = 3.0, top = 9.0, bottom = 26.0, column_gap = 3.5, row_gap = 8.5;
   double x_span = 4.0;  ///< of every panel, over L
   double panel_width = 0.0;
   double height = 0.0;  ///< of the whole figure
@@ -102,10 +102,18 @@ std::string panel_plot(const Panel& panel, const std::string& image, double pixe
   return plot + "\n";
 }
 
+/// On a line above panel_label(): six columns leave no room for both side by side.
 std::string row_heading(const Row& row, const Scales& scales) {
   return "set label 1 \"{/:Italic t} = " + fixed_text(row.time.value(), 2) +
          " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(row.time).value(), 2) +
-         "\" at graph 0,1 left offset 0,character 0.55\n";
+         "\" at graph 0,1 left offset 0,character 1.45\n";
+}
+
+/// "MPS paper, l0 = 5 mm" is wider than one of six columns.
+std::string two_lines(std::string label) {
+  if (const auto comma = label.find(", "); comma != std::string::npos)
+    label.replace(comma, 2, "\n");
+  return label;
 }
 
 /// A bar with the colours of p/(rho g H) from 0 to 1.
@@ -196,8 +204,8 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout
               axes(c == 0, r + 1 == rows.size());
     if (c == 0) script += row_heading(row, scales);
     if (r == 0) {
-      script += "set label 4 " + plot_label(panel.run->label()) +
-                " at graph 0.5,1 center offset 0,character 1.9 font \",7.5\"\n";
+      script += "set label 4 " + plot_label(two_lines(panel.run->label())) +
+                " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
     }
     script += panel_label(panel, row) + panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
               "unset label\n";

@@ -63,7 +63,7 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
   const double top = upper_end(table, study.reference().study.name);
   const Run& reference = study.reference_run().run;
   const double height = (*wall_probe(reference))[1] - reference.physics.floor();
-  figure.height_mm = 7.0 + panel_mm * static_cast<double>(panels.size());
+  figure.height_mm = 10.0 + panel_mm * static_cast<double>(panels.size());
   figure.caption =
       "Pressure on the far wall, " + fixed_text(1e3 * height, 1) +
       " mm above the floor, over the height of the column times rho g, after each run’s own "
