@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/core/projection.hpp"
 #include "particle/mps/gradient.hpp"
 
 namespace surge::mps {
@@ -27,12 +28,7 @@ Vec<D> shift(const Vec<D>& concentration_gradient, const Vec<D>& normal, double 
              double path) {
   Vec<D> s;
   for (int a = 0; a < D; ++a) s[a] = -share * l0 * path * concentration_gradient[a];
-  const double square = squared_norm<D>(normal);
-  if (square == 0.0) return s;
-  double along = 0.0;
-  for (int a = 0; a < D; ++a) along += s[a] * normal[a];
-  for (int a = 0; a < D; ++a) s[a] -= along / square * normal[a];
-  return s;
+  return without_part_along(s, normal);
 }
 
 /// Root mean square of the velocities of the fluid around a particle relative to it, m/s, weighted

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "particle/core/fastest_speed.hpp"
@@ -432,10 +433,13 @@ double Solver<D>::divergence_to_remove(std::size_t i, double dt,
   const double fallen = params_.laplacian_of == LaplacianOf::dynamic_pressure ? dt : 0.0;
   const auto relative = [&](std::size_t j) { return relative_velocity(i, j, fallen); };
   const auto everyone = [](std::size_t) { return true; };
-  const auto gradient =
-      velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot, relative, everyone);
+  const bool exact = params_.gradient == GradientModel::corrected;
+  std::optional<std::array<Vec<D>, D>> gradient;
+  if (exact || dt < divergence_time_)
+    gradient = velocity_gradient<D>(i, list_.of(i), displacement, re_, n0_, least_pivot, relative,
+                                    everyone);
   double divergence = 0.0;
-  if (gradient && params_.gradient == GradientModel::corrected) {
+  if (gradient && exact) {
     for (int a = 0; a < D; ++a) divergence += (*gradient)[a][a];
   } else {
     divergence = velocity_divergence<D>(i, list_.of(i), displacement, re_, n0_, relative, everyone);

@@ -50,7 +50,7 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
       const double limit = std::min(speed_limit, std::sqrt(relative_[i] / weight_[i]));
       Vec<D> wall_normal;
       for (int a = 0; a < D; ++a) wall_normal[a] = wall_normal_[a][i];
-      shift = along_wall(shifting_velocity(gradient, h_, speed_, limit), wall_normal);
+      shift = without_part_along(shifting_velocity(gradient, h_, speed_, limit), wall_normal);
       if (near_surface(i)) {
         Vec<D> outward;
         for (int a = 0; a < D; ++a) outward[a] = -inward_[a][i];

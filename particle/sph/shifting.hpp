@@ -8,6 +8,7 @@
 
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/particles.hpp"
+#include "particle/core/projection.hpp"
 #include "particle/core/symmetric_pair_loop.hpp"
 
 namespace surge::sph {
@@ -47,33 +48,11 @@ std::array<double, D> shifting_velocity(const std::array<double, D>& concentrati
 /// inward stays, so that layers under a surface that is being stretched can still move into each
 /// other.
 template <std::size_t D>
-std::array<double, D> along_surface(std::array<double, D> shift,
+std::array<double, D> along_surface(const std::array<double, D>& shift,
                                     const std::array<double, D>& outward) {
   double dot = 0.0;
-  double square = 0.0;
-  for (std::size_t a = 0; a < D; ++a) {
-    dot += shift[a] * outward[a];
-    square += outward[a] * outward[a];
-  }
-  if (square > 0.0 && dot > 0.0)
-    for (std::size_t a = 0; a < D; ++a) shift[a] -= dot / square * outward[a];
-  return shift;
-}
-
-/// A shift without its part towards a wall or away from it; `normal` has any length, zero far from
-/// walls. A wall does not give way to what is shifted: density_rate() would take a shift towards it
-/// for thinner fluid, whose pressure draws in more, and in a corner that runs away.
-template <std::size_t D>
-std::array<double, D> along_wall(std::array<double, D> shift, const std::array<double, D>& normal) {
-  double dot = 0.0;
-  double square = 0.0;
-  for (std::size_t a = 0; a < D; ++a) {
-    dot += shift[a] * normal[a];
-    square += normal[a] * normal[a];
-  }
-  if (square > 0.0)
-    for (std::size_t a = 0; a < D; ++a) shift[a] -= dot / square * normal[a];
-  return shift;
+  for (std::size_t a = 0; a < D; ++a) dot += shift[a] * outward[a];
+  return dot > 0.0 ? without_part_along(shift, outward) : shift;
 }
 
 /// What lies about each fluid particle: whether the free surface is near, and where the particle
@@ -97,7 +76,9 @@ class Surroundings {
   /// either than the root mean square of the neighbours' velocities relative to the particle: what
   /// moves as a whole isn't rearranged, at rest nothing is. (Sun, Colagrossi, Marrone, Antuono &
   /// Zhang 2019, Comput. Methods Appl. Mech. Eng. 348, take half of the largest instead, which in
-  /// uniform shear is 1.3 times that.)
+  /// uniform shear is 1.3 times that.) Near a wall particles are shifted along it only. A wall does
+  /// not give way to what is shifted: density_rate() would take a shift towards it for thinner
+  /// fluid, whose pressure draws in more, and in a corner that runs away.
   template <class K>
   void survey(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
               const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before,

@@ -23,6 +23,14 @@ json claim(const json& metrics, const std::string& id) {
   return {};
 }
 
+/// Run mps-b, whose front leads by 0.2 L.
+void add_inaccurate_mps(const SyntheticStudy& files) {
+  std::string study = read_text(files.study());
+  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
+  testing::write_text(files.study(), study);
+  files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+}
+
 TEST(Claims, FollowTheFronts) {
   const SyntheticStudy files;
   const json metrics = report_metrics(files.collected());
@@ -41,10 +49,7 @@ TEST(Claims, TurnWithTheNumbers) {
 
 TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
   const SyntheticStudy files;
-  std::string study = read_text(files.study());
-  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
-  testing::write_text(files.study(), study);
-  files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+  add_inaccurate_mps(files);
   const json metrics = report_metrics(files.collected());
   EXPECT_THAT(claim(metrics, "leading_edge_mps")["verdict"].get<std::string>(),
               HasSubstr("depends on"));
@@ -55,10 +60,7 @@ TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
 // The same run as above, but by a formulation that the paper says nothing about.
 TEST(Claims, OfThePaperAreNotJudgedByNewerFormulations) {
   const SyntheticStudy files;
-  std::string study = read_text(files.study());
-  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
-  testing::write_text(files.study(), study);
-  files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+  add_inaccurate_mps(files);
   const auto file = files.runs() / "mps-b/manifest.json";
   json manifest = json::parse(read_text(file));
   manifest["case"]["method"]["preset"] = "improved";

@@ -141,14 +141,6 @@ TEST(Shifting, OnlyWhatLeadsOutIsTakenOff) {
 }
 
 TEST(Shifting, NothingTowardsAWallOrAway) {
-  using V = std::array<double, 2>;
-  for (const double into : {3.0, -3.0}) {
-    const V out = along_wall(V{1.0, 2.0}, V{0.0, into});
-    EXPECT_NEAR(out[0], 1.0, 1e-15);
-    EXPECT_NEAR(out[1], 0.0, 1e-15);
-  }
-  EXPECT_EQ(along_wall(V{1.0, 2.0}, V{0.0, 0.0}), (V{1.0, 2.0}));
-
   // The lowest three rows are a wall.
   Layer layer(count / 2, 0.0, 0.5);
   std::mt19937 random(7);

@@ -79,9 +79,9 @@ TEST(StretchingDrop, DeltaPlus) {
 // At this spacing neighbours approach at just the speed at which particles collide.
 TEST(StretchingDrop, MpsImproved) {
   const auto [x, y, energy] = drop_errors<mps::Solver<2>>("mps", "improved");
-  EXPECT_LT(std::abs(x), 0.02);
+  EXPECT_LT(std::abs(x), 0.018);
   EXPECT_LT(std::abs(y), 0.01);
-  EXPECT_LT(std::abs(energy), 0.11);
+  EXPECT_LT(std::abs(energy), 0.1);
 }
 
 /// Frequency over the exact one, less one, from two periods at 20 particles over half a wave.
@@ -113,17 +113,21 @@ TEST(StandingWave, MpsImprovedKeepsThePeriod) {
   EXPECT_LT(std::abs(wave_error<mps::Solver<2>>("mps", "improved")), 0.01);
 }
 
-// Pairs exchange momentum along their line: nothing is lost of either, whatever else happens.
+// Pairs exchange momentum along their line: nothing is lost of either, whatever else happens. A
+// shift takes the particle's momentum to another distance from the axis.
 TEST(RotatingPatch, DeltaPlusKeepsMomentumAndAngularMomentum) {
-  sph::Solver<2> solver(
-      known_flow("rotating_patch", "sph", "delta-plus",
-                 {"resolution.spacing=0.05", "sph.negative_pressure=keep", "sph.shifting=none"}));
-  const Sums begin = sums_of(solver);
-  while (solver.time() < 0.5) solver.step(0.5 - solver.time());
-  const Sums end = sums_of(solver);
-  EXPECT_NEAR(end.angular_momentum, begin.angular_momentum, 1e-3 * begin.angular_momentum);
-  EXPECT_NEAR(end.velocity[0], 0.0, 1e-10);
-  EXPECT_NEAR(end.velocity[1], 0.0, 1e-10);
+  for (const bool shifting : {false, true}) {
+    std::vector<std::string> choices{"resolution.spacing=0.05", "sph.negative_pressure=keep"};
+    if (!shifting) choices.emplace_back("sph.shifting=none");
+    sph::Solver<2> solver(known_flow("rotating_patch", "sph", "delta-plus", choices));
+    const Sums begin = sums_of(solver);
+    while (solver.time() < 0.5) solver.step(0.5 - solver.time());
+    const Sums end = sums_of(solver);
+    EXPECT_NEAR(end.angular_momentum, begin.angular_momentum,
+                (shifting ? 2e-3 : 1e-9) * begin.angular_momentum);
+    EXPECT_NEAR(end.velocity[0], 0.0, 1e-10);
+    EXPECT_NEAR(end.velocity[1], 0.0, 1e-10);
+  }
 }
 
 // The mean square distance from the axis grows as 1 + 0.157 (omega t)^2, the square's torsion
