@@ -6,7 +6,7 @@
 namespace surge::compare {
 
 std::span<const PaperSetting> paper_settings() {
-  static constexpr std::array<PaperSetting, 23> settings{{
+  static constexpr std::array<PaperSetting, 24> settings{{
       {"mps", "re_gradient", "2.1", "text after Eq. (4)"},
       {"mps", "re_laplacian", "4.0", "text after Eq. (7)"},
       {"mps", "lambda", R"("paper")", "Eq. (8) as printed, re²/12; its integrals give re²/6"},
@@ -27,6 +27,7 @@ std::span<const PaperSetting> paper_settings() {
       {"sph", "negative_pressure", R"("keep")", "Eq. (21) as it stands"},
       {"sph", "artificial_viscosity", "0.0", "Eq. (23) has no such term"},
       {"sph", "density_diffusion", "0.0", "Eq. (20) has no such term"},
+      {"sph", "acoustic_damping", "0.0", "Eq. (23) has no such term"},
       {"sph", "wall_density", "", "density of wall particles not stated"},
       {"sph", "wall_distance", "", "wall collision named in Sec. 4, its distance not stated"},
       {"sph", "wall_restitution", "", "not stated"},

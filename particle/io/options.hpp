@@ -179,6 +179,8 @@ void visit_options(P& p, Visitor&& option) {
          "delta of the density diffusion, Molteni & Colagrossi (2009)");
   option("diffusion_of", p.diffusion_of, any,
          "what the diffusion acts on; dynamic_density is Fourtakas et al. (2019)");
+  option("acoustic_damping", p.acoustic_damping, Bounds::at_least(0.0),
+         "bulk viscosity over c0 h, which damps sound; Sun et al. (2023)");
   option("wall_density", p.wall_density, any, "how wall particles get density and pressure");
   option("wall_distance", p.wall_distance, Bounds::closed(0.0, 0.5),
          "no particle comes nearer to a wall, in l0");

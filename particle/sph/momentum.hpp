@@ -29,6 +29,17 @@ inline double without_tension(double p_over_rho2, bool near_surface) {
   return near_surface ? p_over_rho2 : std::abs(p_over_rho2);
 }
 
+/// What a bulk viscosity zeta = alpha c0 h (m2/s) adds to the pressure of a fluid whose density
+/// grows at a rate (kg/m3/s):
+///   -rho zeta div v = alpha c0 h D rho/Dt.
+/// It damps sound, which the weakly compressible fluid has and water at this scale has not: a wave
+/// of length lambda falls off as exp(-2 pi^2 alpha h / lambda) in each of its periods. Flow without
+/// divergence doesn't feel it (the acoustic damper of Sun, Pilloton, Antuono & Colagrossi 2023, J.
+/// Comput. Phys. 483, who add it to the acceleration).
+inline double acoustic_damper(double alpha_c0_h, double density_rate) {
+  return alpha_c0_h * density_rate;
+}
+
 /// Artificial viscosity of Monaghan (1992), Annu. Rev. Astron. Astrophys. 30, without its beta
 /// term:
 ///   Pi_ij = -alpha c0 mu / rho,  mu = h v_ij . x_ij / (r^2 + 0.01 h^2), only where a pair

@@ -49,6 +49,7 @@ struct Params {
   double artificial_viscosity = 0.0;  ///< alpha of Monaghan (1992)
   double density_diffusion = 0.0;     ///< delta of Molteni & Colagrossi (2009)
   DiffusionOf diffusion_of = DiffusionOf::density;
+  double acoustic_damping = 0.0;  ///< bulk viscosity over c0 h (Sun et al. 2023)
   WallDensity wall_density = WallDensity::continuity;
   Shifting shifting = Shifting::none;
   double wall_distance = 0.25;    ///< in l0: no particle's centre comes closer to a wall

@@ -69,6 +69,7 @@ Solver<D>::Solver(const Case& c)
     xsph_old_[a].assign(n, 0.0);
   }
   density_rate_.assign(n, 0.0);
+  compression_rate_.assign(params_.acoustic_damping > 0.0 ? n : 0, 0.0);
   fluid_volume_.assign(n, 0.0);
   p_over_rho2_.assign(n, 0.0);
   own_p_over_rho2_.assign(difference_ ? n : 0, 0.0);
@@ -93,6 +94,7 @@ double Solver<D>::stable_step() const {
   // The pairs of the other term are stiffer by (D + 2)/D.
   const bool laplacian = params_.viscous_term == ViscousTerm::laplacian;
   dt = std::min(dt, viscous_step(laplacian ? 0.125 : 0.125 * D / (D + 2.0), h_, nu_));
+  dt = std::min(dt, viscous_step(0.5, h_, params_.acoustic_damping * c0_ * h_));
   return steps_ == 0 ? std::min(dt, control_.initial_step) : dt;
 }
 
@@ -187,9 +189,14 @@ void Solver<D>::apply_continuity(double dt) {
       kernel_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
   const bool walls_too = params_.wall_density == WallDensity::continuity;
+  const bool damping = params_.acoustic_damping > 0.0;
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (walls_too || is_fluid(static_cast<std::size_t>(i))) p_.density[i] += dt * density_rate_[i];
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const bool moves = walls_too || is_fluid(static_cast<std::size_t>(i));
+    if (moves) p_.density[i] += dt * density_rate_[i];
+    // The rate itself will be overwritten by that of the shift, which isn't motion of the fluid.
+    if (damping) compression_rate_[i] = moves ? density_rate_[i] : 0.0;
+  }
 }
 
 template <int D>
@@ -324,11 +331,13 @@ void Solver<D>::apply_equation_of_state(StepReport& report) {
   const auto scope = clock_.measure(Phase::pressure);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
   const bool clip = params_.negative_pressure == NegativePressure::clip;
+  const double damping = params_.acoustic_damping * c0_ * h_;
   long clipped = 0;
 #pragma omp parallel for schedule(static) reduction(+ : clipped)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     double p = state_.pressure(p_.density[i]);
+    if (damping > 0.0) p += acoustic_damper(damping, compression_rate_[i]);
     if (p < 0.0 && (clip || (difference_ && surroundings_.on_surface(k)))) {
       // What is detached has no pressure to follow from, only what its density has drifted by.
       if (difference_ && surroundings_.is_detached(k)) p_.density[i] = rho0_;

@@ -36,7 +36,8 @@ class Solver {
   StepReport step(double dt_limit);
   /// Time step, Eq. (25).
   /// Also dt <= acoustic_courant h / (c0 + v_max) where that limit is on, and the limit of
-  /// viscosity, dt <= 0.125 h^2 / nu (Morris, Fox & Zhu 1997).
+  /// viscosity, dt <= 0.125 h^2 / nu (Morris, Fox & Zhu 1997); and of the damping of sound, dt <=
+  /// 0.5 h^2 / zeta, which is longer than that of sound for zeta <= 2 c0 h.
   [[nodiscard]] double stable_step() const;
 
   [[nodiscard]] double time() const { return time_; }
@@ -76,6 +77,7 @@ class Solver {
   /// Positions with XSPH, held back at walls, Eq. (24).
   void drift(double dt, StepReport& report);
   /// Pressure by the equation of state, Eq. (21).
+  /// With what damps sound where that is on.
   void apply_equation_of_state(StepReport& report);
   template <class K>
   void extrapolate_to_walls(const K& kernel);
@@ -113,7 +115,8 @@ class Solver {
   std::array<Field, D> xsph_;              ///< velocity correction of Eq. (24)
   std::array<Field, D> xsph_old_;          ///< the one before, which the half drift used
   Field density_rate_;
-  Field fluid_volume_;  ///< m/rho of fluid particles, 0 for walls
+  Field compression_rate_;  ///< that of continuity, kg/m3/s, where sound is damped
+  Field fluid_volume_;      ///< m/rho of fluid particles, 0 for walls
   Field p_over_rho2_;
   Field own_p_over_rho2_;  ///< what stands for it in the sum of the particle itself
   std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index

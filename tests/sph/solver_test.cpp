@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "particle/sph/solver.hpp"
 
@@ -171,6 +172,54 @@ TEST(SphSolver, ShiftingIsTheSameForAllSearchesAndThreads) {
   EXPECT_GT(largest_difference(one, plain), 1e-6) << "it does something";
 }
 
+/// A standing wave of sound, v = v0 sin(k x), in a periodic square of 40 columns at rest otherwise.
+Case standing_sound(double damping) {
+  constexpr int columns = 40;
+  const double l0 = 1.0 / columns;
+  Case c;
+  c.gravity = {0.0, 0.0, 0.0};
+  c.reference_speed = 1.0;
+  c.has_tank = true;
+  c.tank.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};
+  c.tank.periodic = {true, true, false};
+  for (int k = 0; k < columns; ++k) {
+    FluidBlock block;
+    block.box = {{k * l0, 0.0, 0.0}, {(k + 1) * l0, 1.0, 0.0}};
+    block.velocity = {1e-4 * std::sin(2.0 * std::numbers::pi * (k + 0.5) * l0), 0.0, 0.0};
+    c.blocks.push_back(block);
+  }
+  c.spacing = l0;
+  Params p;
+  p.kernel = Kernel::wendland_c2;
+  p.h_over_l0 = 1.5;
+  p.xsph_epsilon = 0.0;
+  p.acoustic_courant = 0.1;
+  p.acoustic_damping = damping;
+  c.method = p;
+  return c;
+}
+
+// v is v0 sin(k x) exp(-b t) [cos(w t) - b/w sin(w t)] with b = zeta k^2 / 2, w^2 = (c0 k)^2 - b^2.
+// The kernel hides about (k h)^2 / 10 of each gradient.
+TEST(SphSolver, DampingOfSoundIsThatOfABulkViscosity) {
+  for (const double damping : {0.0, 0.5, 1.0}) {
+    Solver<2> solver(standing_sound(damping));
+    const double k = 2.0 * std::numbers::pi;
+    const double b = 0.5 * damping * solver.sound_speed() * solver.smoothing_length() * k * k;
+    const double w = std::sqrt(std::pow(solver.sound_speed() * k, 2) - b * b);
+    const double period = 2.0 * std::numbers::pi / w;
+    for (const double end : {0.5 * period, period}) {
+      while (solver.time() < end) solver.step(end - solver.time());
+      const auto& p = solver.particles();
+      double amplitude = 0.0;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        amplitude += 2.0 / 1600.0 * p.v[0][i] * std::sin(k * p.x[0][i]);
+      const double exact = std::exp(-b * end) * (std::cos(w * end) - b / w * std::sin(w * end));
+      EXPECT_NEAR(amplitude / 1e-4, exact, 0.02) << damping << ' ' << end / period;
+    }
+  }
+}
+
 TEST(SphSolver, RunsInThreeDimensions) {
   Case c = small_dam();
   c.dimension = 3;
@@ -198,6 +247,10 @@ TEST(SphSolver, StableStepKeepsBothLimits) {
     const StepReport report = solver.step(1.0);
     EXPECT_LE(report.courant, 0.2 * 1.1);
   }
+  std::get<Params>(c.method).acoustic_damping = 10.0;
+  Solver<2> damped(c);
+  damped.step(1.0);
+  EXPECT_DOUBLE_EQ(damped.stable_step(), 0.05 * h / damped.sound_speed());
 }
 
 }  // namespace
