@@ -30,12 +30,13 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
                              const Field& fluid_volume,
                              const std::vector<std::uint32_t>& fluid_before, double speed_limit) {
   const std::size_t size = p.size();
-  for (Field* field : {&volume_, &relative_, &weight_, &lambda_, &surface_share_})
+  for (Field* field : {&volume_, &second_moment_, &weight_, &lambda_, &surface_share_})
     field->resize(size);
   for (Field& field : shift_) field.resize(size);
   for (Field& field : moment_) field.resize(size);
   for (Field& field : inward_) field.resize(size);
   for (Field& field : wall_normal_) field.resize(size);
+  for (Field& field : velocity_gradient_) field.resize(size);
   sum_neighbours(kernel, grid, p, fluid_volume, fluid_before);
   find_surface(kernel, grid, p, fluid_volume, fluid_before);
 
@@ -47,7 +48,7 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
     if (p.type[i] == ParticleType::fluid && !is_detached(i) && weight_[i] > 0.0) {
       Vec<D> gradient;
       for (int a = 0; a < D; ++a) gradient[a] = shift_[a][i];
-      const double limit = std::min(speed_limit, std::sqrt(relative_[i] / weight_[i]));
+      const double limit = std::min(speed_limit, deformation_speed_of(i));
       Vec<D> wall_normal;
       for (int a = 0; a < D; ++a) wall_normal[a] = wall_normal_[a][i];
       shift = without_part_along(shifting_velocity(gradient, h_, speed_, limit), wall_normal);
@@ -61,7 +62,15 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
   }
 }
 
-/// G, M, how fast the neighbours move past and where walls are, in one pass over the pairs.
+template <int D>
+double Surroundings<D>::deformation_speed_of(std::size_t i) const {
+  std::array<Vec<D>, D> gradient;
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b) gradient[a][b] = velocity_gradient_[a * D + b][i];
+  return deformation_speed(gradient, second_moment_[i] / weight_[i]);
+}
+
+/// G, M, how the fluid deforms and where walls are, in one pass over the pairs.
 template <int D>
 template <class K>
 void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
@@ -84,20 +93,18 @@ void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
   fields[2 * D] = volume_.data();
   fields[2 * D + 1] = fluid_volume.data();
   for (int m = 0; m < moments; ++m) out[D + m] = moment_[m].data();
-  out[D + moments] = relative_.data();
+  out[D + moments] = second_moment_.data();
   out[D + moments + 1] = weight_.data();
   for (int a = 0; a < D; ++a) out[D + moments + 2 + a] = wall_normal_[a].data();
+  for (int c = 0; c < D * D; ++c) out[2 * D + moments + 2 + c] = velocity_gradient_[c].data();
 
   const double value_at_spacing = kernel.value(spacing_);
   const auto pair = [&](const auto& i, const auto& j) {
     std::array<Simd, D> dx;
     Simd r2 = tiny;
-    Simd speed2 = 0.0;
     for (int a = 0; a < D; ++a) {
       dx[a] = j[a] - i[a];
       r2 += dx[a] * dx[a];
-      const Simd dv = j[D + a] - i[D + a];
-      speed2 += dv * dv;
     }
     const Simd r = root(r2);
     const Simd slope = kernel.derivative(r) / r;
@@ -118,11 +125,19 @@ void Surroundings<D>::sum_neighbours(const K& kernel, const CellGrid<D>& grid,
       }
     terms.to_i[m + 1] = value * j[2 * D + 1];
     terms.to_j[m + 1] = value * i[2 * D + 1];
-    terms.to_i[m] = terms.to_i[m + 1] * speed2;
-    terms.to_j[m] = terms.to_j[m + 1] * speed2;
+    terms.to_i[m] = terms.to_i[m + 1] * r2;
+    terms.to_j[m] = terms.to_j[m + 1] * r2;
     for (int a = 0; a < D; ++a) {
       terms.to_i[m + 2 + a] = -slope * (j[2 * D] - j[2 * D + 1]) * dx[a];
       terms.to_j[m + 2 + a] = slope * (i[2 * D] - i[2 * D + 1]) * dx[a];
+    }
+    m += 2 + D;
+    for (int a = 0; a < D; ++a) {
+      const Simd dv = -slope * (j[D + a] - i[D + a]);
+      for (int b = 0; b < D; ++b, ++m) {
+        terms.to_i[m] = dv * dx[b] * j[2 * D + 1];
+        terms.to_j[m] = dv * dx[b] * i[2 * D + 1];
+      }
     }
     return terms;
   };

@@ -55,6 +55,22 @@ std::array<double, D> along_surface(const std::array<double, D>& shift,
   return dot > 0.0 ? without_part_along(shift, outward) : shift;
 }
 
+/// Speed (m/s) at which a fluid that deforms at the rate D, the symmetric part of the velocity
+/// gradient (1/s), moves past a point, with the mean square distance r2 (m2) of what is about it:
+///   sqrt(2 D:D r2 / d) in d dimensions.
+/// For uniform shear this is the root mean square of the relative velocities; a rotation doesn't
+/// count.
+template <std::size_t N>
+double deformation_speed(const std::array<std::array<double, N>, N>& velocity_gradient, double r2) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < N; ++a)
+    for (std::size_t b = 0; b < N; ++b) {
+      const double rate = 0.5 * (velocity_gradient[a][b] + velocity_gradient[b][a]);
+      sum += 2.0 * rate * rate;
+    }
+  return std::sqrt(sum * r2 / static_cast<double>(N));
+}
+
 /// What lies about each fluid particle: whether the free surface is near, and where the particle
 /// should be shifted to.
 ///
@@ -73,12 +89,13 @@ class Surroundings {
 
   /// For the particles in the grid's order. fluid_volume: m3, 0 for walls; fluid_before: number of
   /// fluid particles before each index; speed_limit: m/s, no shift is faster. A shift isn't faster
-  /// either than the root mean square of the neighbours' velocities relative to the particle: what
-  /// moves as a whole isn't rearranged, at rest nothing is. (Sun, Colagrossi, Marrone, Antuono &
-  /// Zhang 2019, Comput. Methods Appl. Mech. Eng. 348, take half of the largest instead, which in
-  /// uniform shear is 1.3 times that.) Near a wall particles are shifted along it only. A wall does
-  /// not give way to what is shifted: density_rate() would take a shift towards it for thinner
-  /// fluid, whose pressure draws in more, and in a corner that runs away.
+  /// either than deformation_speed() of the neighbours: what moves as a whole isn't rearranged, at
+  /// rest nothing is. (Sun, Colagrossi, Marrone, Antuono & Zhang 2019, Comput. Methods Appl. Mech.
+  /// Eng. 348, take half of the largest relative velocity instead, which in uniform shear is 1.3
+  /// times that. But it takes the jitter of single particles for motion, and what the shift jolts
+  /// is shifted the more: still water stirs itself.) Near a wall particles are shifted along it
+  /// only. A wall does not give way to what is shifted: density_rate() would take a shift towards
+  /// it for thinner fluid, whose pressure draws in more, and in a corner that runs away.
   template <class K>
   void survey(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
               const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before,
@@ -109,7 +126,7 @@ class Surroundings {
 
  private:
   static constexpr int moments = D * (D + 1) / 2;
-  static constexpr int sums = 2 * D + moments + 2;
+  static constexpr int sums = D + moments + 2 + D + D * D;
 
   template <class K>
   void sum_neighbours(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
@@ -118,15 +135,18 @@ class Surroundings {
   void find_surface(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
                     const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before);
 
+  [[nodiscard]] double deformation_speed_of(std::size_t i) const;
+
   double h_;
   double spacing_;
   double speed_;
-  Field volume_;                       ///< of walls too
-  std::array<Field, D> shift_;         ///< first G, then the velocity
-  std::array<Field, moments> moment_;  ///< M, row by row from the diagonal on
-  std::array<Field, D> wall_normal_;   ///< sum of V grad W over walls, 1/m
-  Field relative_;                     ///< sum of V W |v_j - v_i|^2 over fluid
-  Field weight_;                       ///< sum of V W over fluid, without the particle itself
+  Field volume_;                                ///< of walls too
+  std::array<Field, D> shift_;                  ///< first G, then the velocity
+  std::array<Field, moments> moment_;           ///< M, row by row from the diagonal on
+  std::array<Field, D> wall_normal_;            ///< sum of V grad W over walls, 1/m
+  std::array<Field, D * D> velocity_gradient_;  ///< sum of V (v_j - v_i)_a grad_b W over fluid, 1/s
+  Field second_moment_;                         ///< sum of V W r^2 over fluid, m2
+  Field weight_;  ///< sum of V W over fluid, without the particle itself
   Field lambda_;
   std::array<Field, D> inward_;  ///< gradient of lambda
   Field surface_share_;

@@ -103,6 +103,36 @@ TEST(Shifting, SpreadsParticlesEvenly) {
   EXPECT_LT(layer.spread(), 0.3 * before);
 }
 
+TEST(DeformationSpeed, OfShearStrainAndRotation) {
+  const double rate = 3.0;
+  const double r2 = 0.08;
+  using G = std::array<std::array<double, 2>, 2>;
+  // Velocities relative to the middle: rate y, and rate (x, -y), whose squares are rate^2 r2 times
+  // 1/2 and 1 on the mean; that of the strain counts twice.
+  EXPECT_NEAR(deformation_speed(G{{{0.0, rate}, {0.0, 0.0}}}, r2), rate * 0.2, 1e-15);
+  EXPECT_NEAR(deformation_speed(G{{{rate, 0.0}, {0.0, -rate}}}, r2), rate * 0.4, 1e-15);
+  EXPECT_EQ(deformation_speed(G{{{0.0, rate}, {-rate, 0.0}}}, r2), 0.0);
+}
+
+// A limit that the velocities themselves set would shift as fast in both.
+TEST(Shifting, RotationRearrangesNothing) {
+  const auto fastest_inside = [](double shear) {
+    Layer layer(count, 0.2, 0.0);
+    for (std::size_t i = 0; i < layer.p.size(); ++i) {
+      layer.p.v[0][i] = 0.01 * (0.5 - layer.p.x[1][i]);
+      layer.p.v[1][i] = 0.01 * shear * (layer.p.x[0][i] - 0.5);
+    }
+    layer.survey();
+    double fastest = 0.0;
+    for (std::size_t i = 0; i < layer.p.size(); ++i)
+      if (std::max(std::abs(layer.p.x[0][i] - 0.5), std::abs(layer.p.x[1][i] - 0.5)) < 0.25)
+        fastest = std::max(fastest, std::hypot(layer.shift(0, i), layer.shift(1, i)));
+    return fastest;
+  };
+  EXPECT_GT(fastest_inside(-1.0), 0.01 * h);
+  EXPECT_LT(fastest_inside(1.0), 0.2 * fastest_inside(-1.0));
+}
+
 // What only moves as a whole isn't rearranged, and no shift is faster than the fluid's own motion.
 TEST(Shifting, IsBoundedByTheRelativeMotion) {
   Layer still(count, 0.2, 0.0);
