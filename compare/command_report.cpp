@@ -72,15 +72,12 @@ void add_figure_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("figure", "Draws one figure of a study as SVG and PDF");
   command
       ->add_option("NUMBER", arguments->figure,
-                   "as in the paper (8), or a name: " + known_figures())
+                   "as in the paper (8), or a name: " + known_figures() +
+                       ", or that of any other figure in the report")
       ->required();
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
-    const FigureDefinition& definition = find_figure(arguments->figure);
-    const StudyResult study = collect_study(*arguments);
-    if (!study.has_reference())
-      throw Error(arguments->study + ": reference: found none, expected a study with one");
-    draw_and_say(definition.make(study), arguments->out);
+    draw_and_say(figure_of(collect_study(*arguments), arguments->figure), arguments->out);
   });
 }
 

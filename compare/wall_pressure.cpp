@@ -128,6 +128,25 @@ std::optional<double> pressure_scale(const Physics& physics) {
   return *physics.density * physics.gravity_magnitude() * height;
 }
 
+namespace {
+
+/// First of the values from which on the root mean square over `half` values to either side is at
+/// most `bar`; their number where the last one is above.
+std::size_t quiet_from(const std::vector<double>& values, std::size_t half, double bar) {
+  std::vector<double> sum(values.size() + 1, 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) sum[k + 1] = sum[k] + values[k] * values[k];
+  std::size_t from = values.size();
+  while (from > 0) {
+    const std::size_t k = from - 1;
+    const std::size_t begin = k - std::min(k, half), end = std::min(k + half + 1, values.size());
+    if (sum[end] - sum[begin] > bar * bar * static_cast<double>(end - begin)) break;
+    from = k;
+  }
+  return from;
+}
+
+}  // namespace
+
 std::optional<ImpactPressure> impact_pressure(const PressureSignal& signal, const Physics& physics,
                                               Seconds impact) {
   const Scales scales = physics.scales();
@@ -140,7 +159,8 @@ std::optional<ImpactPressure> impact_pressure(const PressureSignal& signal, cons
   found.peak = -std::numeric_limits<double>::infinity();
   const double d = sensor_interval.value();
   const auto count = static_cast<long>(std::floor((end - begin) / d * (1.0 + 1e-12))) + 1;
-  double squares = 0.0;
+  double squares = 0.0, load = 0.0;
+  std::vector<double> rest;
   for (long k = 0; k < count; ++k) {
     const double t = begin + static_cast<double>(k) * d;
     const double p = signal.mean(t, d) / *scale;
@@ -148,9 +168,16 @@ std::optional<ImpactPressure> impact_pressure(const PressureSignal& signal, cons
       found.peak = p;
       found.time_of_peak = scales.dimensionless(Seconds(t - begin));
     }
-    squares += std::pow(p - signal.mean(t, noise_interval.value()) / *scale, 2);
+    const double mean = signal.mean(t, noise_interval.value()) / *scale;
+    load = std::max(load, mean);
+    rest.push_back(p - mean);
+    squares += rest.back() * rest.back();
   }
   found.noise = std::sqrt(squares / static_cast<double>(count));
+  const std::size_t from =
+      quiet_from(rest, static_cast<std::size_t>(std::lround(margin / d)), readable_noise * load);
+  if (from < rest.size())
+    found.readable_from = scales.dimensionless(Seconds(static_cast<double>(from) * d));
   found.impulse = scales.dimensionless(Seconds(signal.integral(begin, end) / *scale)).value();
   return found;
 }

@@ -16,6 +16,8 @@ inline constexpr Seconds sensor_interval{5e-5};
 /// What is faster than this is noise here: 5 ms, a hundred values of the sensor. The load of a
 /// collapsing column 0.3 m high rises and falls over tens of milliseconds.
 inline constexpr Seconds noise_interval{5e-3};
+/// By convention here, a signal can be read where its noise is below this part of the largest load.
+inline constexpr double readable_noise = 0.1;
 /// The impact: so long, from the run's own impact on.
 inline constexpr DimensionlessTime impact_duration{2.0};
 
@@ -63,6 +65,10 @@ struct ImpactPressure {
   double impulse = 0.0;            ///< int p / (rho g H) dT over the window, T = t sqrt(2g/L)
   /// sqrt(mean of (p_k - m_k)^2) / (rho g H), m_k the mean over noise_interval around t_k
   double noise = 0.0;
+  /// First t_k, after t_0, from which on sqrt(mean of (p_j - m_j)^2 over |t_j - t_k| <= half a
+  /// noise interval, inside the window) <= readable_noise max m_j; empty where the noise lasts to
+  /// the end.
+  std::optional<DimensionlessTime> readable_from;
 };
 
 /// Empty where the signal does not cover the window and half a noise interval before and after it.

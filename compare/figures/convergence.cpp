@@ -132,12 +132,14 @@ Figure cost_and_error_figure(const json& sequences, const json& pareto) {
   // Rows of a curve stand together, or its line would be broken.
   Range seconds, errors;
   for (const auto& [label, style] : styles) {
-    for (const json& point : pareto["points"]) {
-      if (point["sequence"] != label) continue;
-      const double threads = point["threads"], s = point["wall_s"], e = point["rms"];
-      table.add({label, threads == 1.0 ? "one" : "more", s, e, threads});
-      seconds.add(s);
-      if (e > 0.0) errors.add(e);
+    for (const bool parallel : {false, true}) {
+      for (const json& point : pareto["points"]) {
+        const double threads = point["threads"], s = point["wall_s"], e = point["rms"];
+        if (point["sequence"] != label || (threads > 1.0) != parallel) continue;
+        table.add({label, parallel ? "more" : "one", s, e, threads});
+        seconds.add(s);
+        if (e > 0.0) errors.add(e);
+      }
     }
   }
   for (const json& point : pareto["points"]) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "particle/support/error.hpp"
 
@@ -33,25 +34,52 @@ std::string known_figures() {
   return known;
 }
 
+namespace {
+
+/// Those that depend on what else a study has.
+std::vector<Figure> further_figures(const StudyResult& study) {
+  std::vector<Figure> figures;
+  const auto add = [&](std::vector<Figure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  if (study.has_reference()) {
+    add(wall_pressure_figures(study));
+    add(convergence_figures(study));
+  }
+  add(verification_figures(study));
+  return figures;
+}
+
+}  // namespace
+
 std::vector<Figure> figures_of(const StudyResult& study) {
   std::vector<Figure> figures;
   if (study.has_reference())
     for (const auto& definition : all_figures()) figures.push_back(definition.make(study));
-  if (study.has_reference())
-    for (Figure& figure : wall_pressure_figures(study)) figures.push_back(std::move(figure));
-  if (study.has_reference())
-    for (Figure& figure : convergence_figures(study)) figures.push_back(std::move(figure));
-  for (Figure& figure : verification_figures(study)) figures.push_back(std::move(figure));
+  for (Figure& figure : further_figures(study)) figures.push_back(std::move(figure));
   return figures;
 }
 
-const FigureDefinition& find_figure(const std::string& name) {
+const FigureDefinition* find_figure(const std::string& name) {
   const auto figures = all_figures();
   const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
     return figure.name == name || figure.word == name || figure.name == "fig" + name;
   });
-  if (found != figures.end()) return *found;
-  throw Error("figure: found \"" + name + "\", expected one of " + known_figures());
+  return found == figures.end() ? nullptr : &*found;
+}
+
+Figure figure_of(const StudyResult& study, const std::string& name) {
+  if (const FigureDefinition* definition = find_figure(name)) {
+    if (!study.has_reference())
+      throw Error("figure " + name + ": found a study without a reference run, expected one");
+    return definition->make(study);
+  }
+  std::string known = study.has_reference() ? known_figures() : "";
+  for (Figure& figure : further_figures(study)) {
+    if (figure.name == name) return std::move(figure);
+    known += (known.empty() ? "" : ", ") + figure.name;
+  }
+  throw Error("figure: found \"" + name + "\", expected one of " + known);
 }
 
 std::optional<DimensionlessTime> window_end(const StudyResult& study) {

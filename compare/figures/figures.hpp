@@ -62,12 +62,16 @@ struct FigureDefinition {
 /// Those of the paper where the study has a reference run, and those of the known flows.
 [[nodiscard]] std::vector<Figure> figures_of(const StudyResult& study);
 
-/// "fig1 (weight), fig2 (interaction), ...": what find_figure() understands.
+/// "fig1 (weight), fig2 (interaction), ...": the catalogue.
 [[nodiscard]] std::string known_figures();
 
-/// The definition that a user means by "8", "fig8" or "leading_edge". Throws Error where there is
-/// no such figure, with the ones that there are.
-[[nodiscard]] const FigureDefinition& find_figure(const std::string& name);
+/// The definition that a user means by "8", "fig8" or "leading_edge"; null where there is none.
+[[nodiscard]] const FigureDefinition* find_figure(const std::string& name);
+
+/// The figure of that name: one of the catalogue, or of those that a study has by its runs, as
+/// "wall_pressure" or "verification_standing_wave". Throws Error where it has no such figure, with
+/// the ones that there are.
+[[nodiscard]] Figure figure_of(const StudyResult& study, const std::string& name);
 
 /// The window's end for the figures: T at which the reference is within the wall rule's distance
 /// of the far wall; empty where it never is or no wall is known.

@@ -206,7 +206,7 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   const auto shifts = shifts_of(study, shifted);
   Figure figure;
   figure.name = name;
-  figure.height_mm = 98.0 + 3.4 * static_cast<double>(curves.size() + study.published.size());
+  figure.height_mm = 96.5 + 3.9 * static_cast<double>(curves.size() + study.published.size());
   figure.tables.push_back(front_table(name, study, curves, shifts));
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
   const std::string legend = fixed_text(1.0 - 94.5 / figure.height_mm, 4);

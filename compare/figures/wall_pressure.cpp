@@ -91,7 +91,7 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
                      colour + "\"\n";
     if (i + 1 == panels.size())
       figure.script +=
-          "set format x \"%g\"\nset xlabel \"{/:Italic T} after the impact\" offset 0,0.4\n";
+          "set format x \"%g\"\nset xlabel \"{/:Italic T} after the impact\" offset 0,0.4\n";
     figure.script += i == panels.size() / 2
                          ? "set ylabel \"{/:Italic p}/({/:Italic ρgH})\" offset 1.2\n"
                          : "unset ylabel\n";

@@ -101,12 +101,17 @@ std::string cost_sentence(const Page& page) {
     if (v.has(method_at(method))) add(method_at(method) + "/label", method_at(method) + "/wall_s");
   add("/summary/reference_label", "/summary/reference_wall_s");
   const std::string at = "/claim_counts/";
+  const auto verb = [&](const std::string& count, const char* of_one, const char* of_more) {
+    return v.at(at + count) == 1 ? of_one : of_more;
+  };
   return (cost.empty() ? "No run states its cost" : "The whole runs took " + cost) +
          "; of the statements that the paper makes from its results these runs can judge " +
          v.integer(at + "judged") + ", of which " + v.integer(at + "reproduced") +
-         " are reproduced, " + v.integer(at + "not reproduced") + " are not, and " +
-         v.integer(at + "depends") +
-         " depend on a choice that <a href=\"#claims\">their table</a> names.";
+         verb("reproduced", " is reproduced, ", " are reproduced, ") +
+         v.integer(at + "not reproduced") +
+         verb("not reproduced", " is not, and ", " are not, and ") + v.integer(at + "depends") +
+         verb("depends", " depends", " depend") +
+         " on a choice that <a href=\"#claims\">their table</a> names.";
 }
 
 }  // namespace

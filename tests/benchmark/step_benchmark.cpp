@@ -65,40 +65,70 @@ class Flow {
   Solver solver;
   StepReport report;
   double bytes_per_particle = 0.0;
-  double single_thread_rate = 0.0;  ///< particle-steps per second
 };
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_of(const auto& work) {
+  const auto begin = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 /// Times steps and reports what all methods have in common. Returns particle-steps per second.
+/// Before each step on several threads there is one on one thread: the efficiency is the median of
+/// t_1 / (threads t_threads) over such pairs, because the speed of a shared machine drifts.
 template <class Solver>
 double time_steps(benchmark::State& state, Flow<Solver>& flow) {
   const auto threads = static_cast<int>(state.range(1));
+  const std::array phases{Phase::neighbours, Phase::pressure, Phase::forces};
+  std::array<double, phases.size()> phase_seconds{};
+  const auto count_phases = [&](double sign) {
+    for (std::size_t k = 0; k < phases.size(); ++k)
+      phase_seconds[k] += sign * flow.solver.clock().seconds(phases[k]);
+  };
+  const auto timed_step = [&](int on) {
+    omp_set_num_threads(on);
+    return seconds_of([&] { flow.advance(1); });
+  };
   omp_set_num_threads(threads);
   flow.advance(2);
-  const std::array phases{Phase::neighbours, Phase::pressure, Phase::forces};
-  std::array<double, phases.size()> before{};
-  for (std::size_t k = 0; k < phases.size(); ++k)
-    before[k] = flow.solver.clock().seconds(phases[k]);
-  const auto start = std::chrono::steady_clock::now();
-  for (auto _ : state) flow.advance(1);
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  double spent = 0.0;
+  std::vector<double> efficiencies;
+  for (auto _ : state) {
+    double alone = 0.0;
+    if (threads > 1) {
+      state.PauseTiming();
+      alone = timed_step(1);
+      state.ResumeTiming();
+    }
+    count_phases(-1.0);
+    const double together = timed_step(threads);
+    count_phases(1.0);
+    spent += together;
+    if (threads > 1) efficiencies.push_back(alone / (threads * together));
+  }
 
   const Particles<2>& p = flow.solver.particles();
   const auto particles = static_cast<double>(p.size());
   const auto fluid =
       static_cast<double>(std::count(p.type.begin(), p.type.end(), ParticleType::fluid));
   const auto steps = static_cast<double>(state.iterations());
-  const double rate = particles * steps / spent.count();
-  if (threads == 1) flow.single_thread_rate = rate;
+  const double rate = particles * steps / spent;
   state.counters["particle_steps/s"] = rate;
-  state.counters["fluid_steps/s"] = fluid * steps / spent.count();
+  state.counters["fluid_steps/s"] = fluid * steps / spent;
   state.counters["particles"] = particles;
   state.counters["bytes/particle"] = flow.bytes_per_particle;
-  if (flow.single_thread_rate > 0.0)
-    state.counters["efficiency"] = rate / (flow.single_thread_rate * threads);
+  if (!efficiencies.empty()) state.counters["efficiency"] = median_of(efficiencies);
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const std::string name = phase_names[static_cast<std::size_t>(phases[k])];
-    state.counters[name + "_share"] =
-        (flow.solver.clock().seconds(phases[k]) - before[k]) / spent.count();
+    state.counters[name + "_share"] = phase_seconds[k] / spent;
   }
   return rate;
 }
@@ -142,37 +172,38 @@ void mps_step(benchmark::State& state, mps::PpeSolver solver) {
 }
 
 /// As many solvers as threads, each with one thread and a flow of its own, beside each other: what
-/// the machine leaves of a thread's speed when all its cores work. Their `efficiency` is the
-/// ceiling of what sph_step and mps_step can reach.
+/// the machine leaves of a thread's speed when all its cores work. Their `efficiency`, in pairs
+/// with one of them alone, is the ceiling of what sph_step and mps_step can reach.
 template <class Solver>
 void copies(benchmark::State& state, const Case& c) {
-  using Clock = std::chrono::steady_clock;
   const auto threads = static_cast<std::size_t>(state.range(1));
   omp_set_num_threads(1);
   std::vector<std::unique_ptr<Flow<Solver>>> flows;
   for (std::size_t k = 0; k < threads; ++k) flows.push_back(std::make_unique<Flow<Solver>>(c));
   const auto particles = static_cast<double>(flows.front()->solver.particles().size());
   constexpr int steps = 4;
-  const auto start = Clock::now();
-  flows.front()->advance(steps);
-  const std::chrono::duration<double> alone = Clock::now() - start;
   double spent = 0.0;
+  std::vector<double> efficiencies;
   for (auto _ : state) {
-    const auto begin = Clock::now();
-    std::vector<std::jthread> workers;
-    for (auto& flow : flows) {
-      workers.emplace_back([&flow] {
-        omp_set_num_threads(1);
-        flow->advance(steps);
-      });
-    }
-    workers.clear();
-    spent += std::chrono::duration<double>(Clock::now() - begin).count();
+    state.PauseTiming();
+    const double alone = seconds_of([&] { flows.front()->advance(steps); });
+    state.ResumeTiming();
+    const double together = seconds_of([&] {
+      std::vector<std::jthread> workers;
+      for (auto& flow : flows) {
+        workers.emplace_back([&flow] {
+          omp_set_num_threads(1);
+          flow->advance(steps);
+        });
+      }
+    });
+    spent += together;
+    efficiencies.push_back(alone / together);
   }
   spent /= static_cast<double>(state.iterations());
   state.counters["particle_steps/s"] = particles * steps * static_cast<double>(threads) / spent;
   state.counters["particles"] = particles * static_cast<double>(threads);
-  state.counters["efficiency"] = alone.count() / spent;
+  state.counters["efficiency"] = median_of(efficiencies);
 }
 
 void register_copies() {
@@ -195,9 +226,8 @@ void register_copies() {
   });
 }
 
-/// One benchmark per size and number of threads, one thread first: efficiency refers to it. Three
-/// repetitions of about `particle_steps` each, few enough steps that the column is still
-/// collapsing.
+/// One benchmark per size and number of threads. Three repetitions of about `particle_steps` each,
+/// few enough steps that the column is still collapsing.
 template <class F>
 void register_sizes(const char* name, F&& step, std::int64_t largest, std::int64_t particle_steps) {
   const int all = omp_get_num_procs();

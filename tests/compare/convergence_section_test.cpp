@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "compare/figures/figures.hpp"
 #include "compare/report/convergence.hpp"
@@ -146,6 +147,21 @@ TEST(ConvergenceSection, ParetoFrontHoldsWhatNoOtherBeats) {
   EXPECT_EQ(cheapest.at(0.1)["run"], "mps-14");
   EXPECT_EQ(cheapest.at(0.05)["run"], "mps-29");
   EXPECT_EQ(cheapest.at(0.01)["run"], "vof-14");
+}
+
+TEST(ConvergenceSection, RowsOfACurveOfTheCostStandTogether) {
+  // A run on more threads is between those on one; gnuplot would break the line there.
+  SyntheticLevels levels;
+  add_all(levels);
+  const Figure cost = convergence_figures(levels.collected()).back();
+  std::vector<std::pair<std::string, std::string>> curves;
+  for (const auto& row : cost.tables.at(0).rows) {
+    const std::pair curve{std::get<std::string>(row[0]), std::get<std::string>(row[1])};
+    if (curves.empty() || curves.back() != curve) curves.push_back(curve);
+  }
+  EXPECT_THAT(curves,
+              ::testing::Contains(std::pair<std::string, std::string>("MPS improved", "more")));
+  EXPECT_EQ(std::set(curves.begin(), curves.end()).size(), curves.size());
 }
 
 TEST(ConvergenceSection, TheBarsOfTheRecommendedPresetsAreHeldAgainstTheirLevels) {

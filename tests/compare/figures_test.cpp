@@ -270,7 +270,7 @@ TEST(Figures, RunsThatDoNotSayWhatTheyComputedWithLeaveTheFigureEmpty) {
   std::filesystem::remove(files.runs() / "sph-a/method.json");
   const StudyResult study = files.collected();
   for (const char* name : {"1", "2", "3", "4", "5"}) {
-    const Figure figure = find_figure(name).make(study);
+    const Figure figure = find_figure(name)->make(study);
     EXPECT_THAT(figure.caption, HasSubstr("has a method.json"));
     EXPECT_EQ(draw(figure, files.out()), "");
   }
@@ -305,19 +305,32 @@ TEST(Figures, PatternsGiveTheEffectOfTheLinkingLength) {
 }
 
 TEST(Figures, AreFoundByNumberAndName) {
-  EXPECT_EQ(find_figure("8").name, "fig8");
-  EXPECT_EQ(find_figure("fig8_shifted").name, "fig8_shifted");
-  EXPECT_EQ(find_figure("leading_edge").name, "fig8");
+  EXPECT_EQ(find_figure("8")->name, "fig8");
+  EXPECT_EQ(find_figure("fig8_shifted")->name, "fig8_shifted");
+  EXPECT_EQ(find_figure("leading_edge")->name, "fig8");
   for (int number = 1; number <= 9; ++number)
-    EXPECT_EQ(find_figure(std::to_string(number)).name, "fig" + std::to_string(number));
+    EXPECT_EQ(find_figure(std::to_string(number))->name, "fig" + std::to_string(number));
   std::set<std::string> names;
   for (const auto& figure : all_figures()) {
     EXPECT_TRUE(names.insert(figure.name).second);
     EXPECT_TRUE(names.insert(figure.word).second);
-    EXPECT_EQ(find_figure(figure.word).name, figure.name);
+    EXPECT_EQ(find_figure(figure.word)->name, figure.name);
   }
-  EXPECT_THAT(error_of([] { static_cast<void>(find_figure("88")); }),
-              HasSubstr("found \"88\", expected one of fig1 (weight), fig2"));
+  EXPECT_EQ(find_figure("88"), nullptr);
+}
+
+TEST(Figures, OfAStudyAreFoundByTheirNames) {
+  const SyntheticStudy files;
+  const StudyResult study = files.collected();
+  std::string names;
+  for (const Figure& figure : figures_of(study)) {
+    EXPECT_EQ(figure_of(study, figure.name).name, figure.name);
+    names += figure.name + " ";
+  }
+  EXPECT_THAT(names, HasSubstr("wall_pressure"));  // not in the catalogue
+  EXPECT_THAT(error_of([&] { static_cast<void>(figure_of(study, "88")); }),
+              AllOf(HasSubstr("found \"88\", expected one of fig1 (weight), fig2"),
+                    HasSubstr("wall_pressure")));
 }
 
 }  // namespace

@@ -50,6 +50,32 @@ TEST(WallPressure, ConstantPressureHasItsImpulseAndNoNoise) {
   EXPECT_NEAR(found->peak, 1.5, 1e-12);
   EXPECT_NEAR(found->impulse, 1.5 * impact_duration.value(), 1e-12);
   EXPECT_NEAR(found->noise, 0.0, 1e-11);
+  ASSERT_TRUE(found->readable_from);
+  EXPECT_DOUBLE_EQ(found->readable_from->value(), 0.0);
+}
+
+TEST(WallPressure, IsReadableWhereTheNoiseHasLeftTheInterval) {
+  // A sine of amplitude 0.5 on a load of 2 until t_1. An interval of 101 values with n of them from
+  // the sine has the noise 0.5 sqrt(n/101/2), which is a tenth of 2 at n = 32.3, so that the first
+  // quiet interval has its middle 50 - 32 values behind t_1.
+  const double t0 = 0.2, t1 = 0.25, w = 2.0 * std::numbers::pi * 2000.0;
+  const auto burst = [&](double t) {
+    return scale * (2.0 + (t < t1 ? 0.5 * std::sin(w * t) : 0.0));
+  };
+  const auto found = impact_pressure(signal_of(burst, 1e-6), dam_break(), Seconds(t0));
+  ASSERT_TRUE(found);
+  ASSERT_TRUE(found->readable_from);
+  const double seconds = dam_break().scales().dimensional(*found->readable_from).value();
+  EXPECT_NEAR(seconds, t1 - t0 + 18 * sensor_interval.value(), 4 * sensor_interval.value());
+}
+
+TEST(WallPressure, IsNeverReadableWhereTheNoiseLasts) {
+  const double w = 2.0 * std::numbers::pi * 2000.0;
+  const auto found = impact_pressure(
+      signal_of([&](double t) { return scale * (2.0 + 0.5 * std::sin(w * t)); }, 1e-6), dam_break(),
+      Seconds(0.2));
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->readable_from);
 }
 
 TEST(WallPressure, SteadyRiseIsNoNoise) {
