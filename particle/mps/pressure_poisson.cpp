@@ -10,35 +10,31 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
                                                   const Displacement<D>& displacement,
                                                   const AlignedVector<std::int32_t>& unknown,
                                                   std::size_t unknowns) {
-  const auto n = static_cast<std::ptrdiff_t>(p.size());
   system_.row_start.resize(unknowns + 1);
   system_.diagonal.resize(unknowns);
   system_.rhs.resize(unknowns);
   for (int a = 0; a < D; ++a) system_.x[a].resize(unknowns);
 
   system_.row_start[0] = 0;
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (unknown[i] < 0) continue;
+  loop_.each(p.size(), [&](std::size_t i) {
+    if (unknown[i] < 0) return;
     std::int32_t entries = 0;
-    for (const std::uint32_t j : list.of(static_cast<std::size_t>(i)))
-      entries += unknown[j] >= 0 && couples(p, static_cast<std::size_t>(i), j) ? 1 : 0;
-    system_.row_start[unknown[i] + 1] = entries;
-  }
+    for (const std::uint32_t j : list.of(i)) entries += unknown[j] >= 0 && couples(p, i, j) ? 1 : 0;
+    system_.row_start[static_cast<std::size_t>(unknown[i]) + 1] = entries;
+  });
   for (std::size_t k = 0; k < unknowns; ++k) system_.row_start[k + 1] += system_.row_start[k];
   const auto entries = static_cast<std::size_t>(system_.row_start[unknowns]);
   system_.column.resize(entries);
   system_.value.resize(entries);
 
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (unknown[i] < 0) continue;
+  loop_.each(p.size(), [&](std::size_t i) {
+    if (unknown[i] < 0) return;
     const auto row = static_cast<std::size_t>(unknown[i]);
     auto entry = static_cast<std::size_t>(system_.row_start[row]);
     double diagonal = 0.0;
-    for (const std::uint32_t j : list.of(static_cast<std::size_t>(i))) {
-      if (!couples(p, static_cast<std::size_t>(i), j)) continue;
-      const double r = std::sqrt(squared_norm<D>(displacement(static_cast<std::size_t>(i), j)));
+    for (const std::uint32_t j : list.of(i)) {
+      if (!couples(p, i, j)) continue;
+      const double r = std::sqrt(squared_norm<D>(displacement(i, j)));
       const float weight = coupling(r);
       diagonal += static_cast<double>(weight);
       if (unknown[j] < 0) continue;
@@ -48,7 +44,7 @@ const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
     }
     system_.diagonal[row] = diagonal;
     for (int a = 0; a < D; ++a) system_.x[a][row] = p.x[a][i];
-  }
+  });
   return system_;
 }
 

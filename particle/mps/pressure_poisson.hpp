@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/core/balanced_loop.hpp"
 #include "particle/core/neighbour_list.hpp"
 #include "particle/kernel/mps_weight.hpp"
 #include "particle/mps/poisson_system.hpp"
@@ -51,6 +52,7 @@ class PoissonAssembly {
   double factor_;
   bool walls_couple_;
   PoissonSystem system_;
+  BalancedLoop loop_;
 };
 
 }  // namespace surge::mps

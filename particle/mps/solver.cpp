@@ -1,6 +1,7 @@
 #include "particle/mps/solver.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -159,10 +160,9 @@ StepReport Solver<D>::step(double dt_limit) {
 template <int D>
 template <class F>
 void Solver<D>::for_each_fluid(F&& f) {
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (is_fluid(static_cast<std::size_t>(i))) f(static_cast<std::size_t>(i));
+  loop_.each(p_.size(), [&](std::size_t i) {
+    if (is_fluid(i)) f(i);
+  });
 }
 
 /// Temporal velocity v* = v + dt (g + nu lap v).
@@ -276,20 +276,18 @@ void Solver<D>::find_neighbours() {
 
 template <int D>
 void Solver<D>::collide(double dt, StepReport& report) {
-  long collisions = 0;
+  std::atomic<long> collisions = 0;
   {
     const auto scope = clock_.measure(Phase::forces);
     const Displacement<D> displacement(p_.x, periodicity_);
-    const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch) reduction(+ : collisions)
-    for (std::ptrdiff_t k = 0; k < n; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      if (!is_fluid(i)) continue;
+    for_each_fluid([&](std::size_t i) {
+      long met = 0;
       const Vec<D> change = collision_.velocity_change(
           i, list_.of(i), displacement, p_.v, [&](std::size_t j) { return !is_fluid(j); },
-          params_.collision_speed * v_max_, collisions);
+          params_.collision_speed * v_max_, met);
       for (int a = 0; a < D; ++a) correction_[a][i] = change[a];
-    }
+      if (met > 0) collisions.fetch_add(met, std::memory_order_relaxed);
+    });
     if (collisions == 0) return;
     for_each_fluid([&](std::size_t i) {
       for (int a = 0; a < D; ++a) p_.v[a][i] += correction_[a][i];
@@ -304,12 +302,9 @@ template <int D>
 void Solver<D>::compute_number_density() {
   const auto scope = clock_.measure(Phase::pressure);
   const Displacement<D> displacement(p_.x, periodicity_);
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+  loop_.each(p_.size(), [&](std::size_t i) {
     if (has_pressure(i)) p_.density[i] = number_density<D>(i, list_.of(i), displacement, re_);
-  }
+  });
 }
 
 template <int D>
@@ -331,16 +326,13 @@ void Solver<D>::find_free_surface() {
   const auto scope = clock_.measure(Phase::pressure);
   unknowns_ = 0;
   const Displacement<D> displacement(p_.x, periodicity_);
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
+  loop_.each(p_.size(), [&](std::size_t i) {
     const bool solved = has_pressure(i) && !is_on_surface(i, displacement);
     unknown_[i] = solved ? 0 : -1;
     if (!solved) p_.pressure[i] = surface_pressure_[i];
-  }
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (unknown_[i] == 0) unknown_[i] = static_cast<std::int32_t>(unknowns_++);
+  });
+  for (std::int32_t& number : unknown_)
+    if (number == 0) number = static_cast<std::int32_t>(unknowns_++);
 }
 
 /// Whether a particle has a free surface within the radius of the number density.
@@ -457,12 +449,12 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   PoissonSystem& system = assembly_.system();
   unknown_pressure_.resize(unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (unknown_[i] < 0) continue;
-    system.rhs[unknown_[i]] = source(static_cast<std::size_t>(i), dt, displacement);
-    unknown_pressure_[unknown_[i]] = p_.pressure[i];
-  }
+  loop_.each(p_.size(), [&](std::size_t i) {
+    if (unknown_[i] < 0) return;
+    const auto row = static_cast<std::size_t>(unknown_[i]);
+    system.rhs[row] = source(i, dt, displacement);
+    unknown_pressure_[row] = p_.pressure[i];
+  });
   const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
@@ -602,15 +594,12 @@ Vec<D> Solver<D>::surface_normal(std::size_t i, const Displacement<D>& displacem
 
 template <int D>
 void Solver<D>::find_minima(const Displacement<D>& displacement) {
-  const auto n = static_cast<std::ptrdiff_t>(p_.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (!has_pressure(i)) continue;
+  loop_.each(p_.size(), [&](std::size_t i) {
+    if (!has_pressure(i)) return;
     least_[i] = neighbourhood_minimum<D>(
         i, list_.of(i), displacement, re_, [&](std::size_t j) { return p_.pressure[j]; },
         [&](std::size_t j) { return has_pressure(j); });
-  }
+  });
 }
 
 /// Eq. (13), in which the neighbourhood minimum of Eq. (6) stands where the paper prints P_i, or

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/core/balanced_loop.hpp"
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
 #include "particle/core/neighbour_list.hpp"
@@ -128,6 +129,7 @@ class Solver {
   NeighbourList<D> list_;
   PoissonAssembly<D> assembly_;
   PressureSolver pressure_solver_;
+  BalancedLoop loop_;
 
   double time_ = 0.0;
   long steps_ = 0;

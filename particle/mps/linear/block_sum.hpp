@@ -1,9 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
+#include "particle/core/balanced_loop.hpp"
 #include "particle/core/particles.hpp"
 
 namespace surge::mps {
@@ -12,19 +11,15 @@ namespace surge::mps {
 /// order: the sum is the same to the last bit whatever the number of threads.
 class BlockSum {
  public:
-  static constexpr std::int32_t block = 1024;
+  static constexpr std::size_t block = 1024;
 
   /// `body(begin, end)` returns the partial sum of its range.
   template <class Body>
   double operator()(std::size_t size, const Body& body) {
-    const auto n = static_cast<std::int32_t>(size);
-    const std::int32_t blocks = (n + block - 1) / block;
-    partial_.resize(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static) if (blocks > 4)
-    for (std::int32_t b = 0; b < blocks; ++b) {
-      const auto begin = static_cast<std::size_t>(b) * block;
-      partial_[static_cast<std::size_t>(b)] = body(begin, std::min(begin + block, size));
-    }
+    partial_.resize((size + block - 1) / block);
+    loop_.blocks(size, block, [&](std::size_t begin, std::size_t end) {
+      partial_[begin / block] = body(begin, end);
+    });
     double sum = 0.0;
     for (const double part : partial_) sum += part;
     return sum;
@@ -32,6 +27,7 @@ class BlockSum {
 
  private:
   Field partial_;
+  BalancedLoop loop_;
 };
 
 /// a . b
