@@ -149,20 +149,19 @@ Figure cost_and_error_figure(const json& sequences, const json& pareto) {
   }
   std::vector<std::string> plots{filter(figure.name, "unbeaten", "one", "wall_s", "rms") +
                                  " with steps lw 4 lc rgb \"#d0d0d0\" title \"Pareto front\""};
-  for (const auto& [label, style] : styles) {
-    const bool there = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return std::get<std::string>(row[0]) == label;
+  const auto has_rows = [&](const std::string& label, const std::string& kind) {
+    return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
+      return std::get<std::string>(row[0]) == label && std::get<std::string>(row[1]) == kind;
     });
-    if (!there) continue;
+  };
+  for (const auto& [label, style] : styles) {
+    if (!has_rows(label, "one")) continue;
     plots.push_back(filter(figure.name, label, "one", "wall_s", "rms") + " with linespoints " +
                     look(style, 0.5) + " title " + plot_string(label));
   }
   bool titled = false;
   for (const auto& [label, style] : styles) {
-    const bool parallel = std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return std::get<std::string>(row[0]) == label && std::get<std::string>(row[1]) == "more";
-    });
-    if (!parallel) continue;
+    if (!has_rows(label, "more")) continue;
     plots.push_back(filter(figure.name, label, "more", "wall_s", "rms") + " with points pt 2 ps " +
                     "0.6 lw 1.2 lc rgb \"" + style.colour.hex() + "\"" +
                     (titled ? " notitle" : " title \"more threads\""));

@@ -50,7 +50,7 @@ std::string write_wall_pressure(const Page& page) {
                     v.number(at + "/peak_after_T", 2), v.number(at + "/impulse", 3),
                     v.number(at + "/noise", 3), v.number(at + "/readable_from_T", 2),
                     v.number(at + "/median_step_s", 6)});
-    if (entry["note"] != "")
+    if (!entry["note"].get_ref<const std::string&>().empty())
       notes += "<p>" + v.text(at + "/label") + ": " + v.text(at + "/note") + ".</p>\n";
   }
   const Values& v = page.values;

@@ -140,13 +140,14 @@ class Surroundings {
   double h_;
   double spacing_;
   double speed_;
-  Field volume_;                                ///< of walls too
-  std::array<Field, D> shift_;                  ///< first G, then the velocity
-  std::array<Field, moments> moment_;           ///< M, row by row from the diagonal on
-  std::array<Field, D> wall_normal_;            ///< sum of V grad W over walls, 1/m
-  std::array<Field, D * D> velocity_gradient_;  ///< sum of V (v_j - v_i)_a grad_b W over fluid, 1/s
-  Field second_moment_;                         ///< sum of V W r^2 over fluid, m2
-  Field weight_;  ///< sum of V W over fluid, without the particle itself
+  Field volume_;                       ///< of walls too
+  std::array<Field, D> shift_;         ///< first G, then the velocity
+  std::array<Field, moments> moment_;  ///< M, row by row from the diagonal on
+  std::array<Field, D> wall_normal_;   ///< sum of V grad W over walls, 1/m
+  std::array<Field, std::size_t{D} * D>
+      velocity_gradient_;  ///< sum of V (v_j - v_i)_a grad_b W over fluid, 1/s
+  Field second_moment_;    ///< sum of V W r^2 over fluid, m2
+  Field weight_;           ///< sum of V W over fluid, without the particle itself
   Field lambda_;
   std::array<Field, D> inward_;  ///< gradient of lambda
   Field surface_share_;

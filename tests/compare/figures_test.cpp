@@ -160,7 +160,7 @@ TEST(Figures, LeadingEdgeDrawsTheCurves) {
     for (auto at = svg.find(colour); at != std::string::npos; at = svg.find(colour, at + 1)) {
       const auto path = svg.find(" d='", at);
       if (path == std::string::npos) break;
-      longest = std::max(longest, svg.find("'", path + 4) - path);
+      longest = std::max(longest, svg.find('\'', path + 4) - path);
     }
     EXPECT_GT(longest, 150U) << colour;
   }

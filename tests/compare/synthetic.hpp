@@ -119,7 +119,7 @@ inline MeshFrame box_mesh(const Vec3& upper, std::array<int, 3> n,
   }
   frame.grid->SetPoints(points);
   const auto id = [&](int i, int j, int k) {
-    return static_cast<vtkIdType>((k * (n[1] + 1) + j) * (n[0] + 1) + i);
+    return (vtkIdType{k} * (n[1] + 1) + j) * (n[0] + 1) + i;
   };
   for (int k = 0; k < n[2]; ++k) {
     for (int j = 0; j < n[1]; ++j) {

@@ -32,7 +32,7 @@ struct Layer {
       : grid(Search::cell_grid, Periodicity<2>{{0.0, 0.0}, {1.0, rows == count ? 1.0 : 0.0}}) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
-    p.resize(static_cast<std::size_t>(rows * count));
+    p.resize(static_cast<std::size_t>(rows) * count);
     for (std::size_t i = 0; i < p.size(); ++i) {
       const std::size_t row = i / count;
       const std::size_t column = i % count;
@@ -176,7 +176,7 @@ TEST(Shifting, NothingTowardsAWallOrAway) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-0.1 * l0, 0.1 * l0);
   for (std::size_t i = 0; i < layer.p.size(); ++i) {
-    if (i < 3 * count)
+    if (i < std::size_t{3} * count)
       layer.p.type[i] = ParticleType::dummy;
     else
       layer.p.x[0][i] += any(random);  // along the wall
