@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -74,10 +75,16 @@ class SymmetricPairLoop {
   class Blocks {
    public:
     explicit Blocks(const CellGrid<D>& grid) : cells_(grid.cells()) {
+      std::array<int, D> size;
+      double blocks = 1.0;
       for (int a = 0; a < D; ++a) {
         // A block adds to particles at most `reach` cells outside itself on either side.
-        const int smallest = (a == 0 ? 4 : 2) * std::max(2, grid.reach());
-        blocks_[a] = std::max(1, cells_[a] / smallest);
+        size[a] = (a == 0 ? 4 : 2) * std::max(2, grid.reach());
+        blocks *= static_cast<double>(cells_[a]) / size[a];
+      }
+      const double growth = std::max(1.0, std::pow(blocks / enough_blocks, 1.0 / D));
+      for (int a = 0; a < D; ++a) {
+        blocks_[a] = std::max(1, static_cast<int>(cells_[a] / (growth * size[a])));
         // The last block and the first one meet across a periodic boundary.
         if (grid.is_periodic(a) && blocks_[a] > 1) blocks_[a] -= blocks_[a] % 2;
       }
@@ -108,6 +115,10 @@ class SymmetricPairLoop {
     }
 
    private:
+    /// What lies around a block is read and written with each of its neighbours' colours: where
+    /// there are more blocks than threads can use, larger ones save memory traffic.
+    static constexpr double enough_blocks = 1024.0;
+
     [[nodiscard]] int along(int colour, int a) const {
       return (blocks_[a] + 1 - ((colour >> a) & 1)) / 2;
     }
