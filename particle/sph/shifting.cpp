@@ -49,13 +49,14 @@ void Surroundings<D>::survey(const K& kernel, const CellGrid<D>& grid, const Par
       Vec<D> gradient;
       for (int a = 0; a < D; ++a) gradient[a] = shift_[a][i];
       const double limit = std::min(speed_limit, deformation_speed_of(i));
-      Vec<D> wall_normal;
-      for (int a = 0; a < D; ++a) wall_normal[a] = wall_normal_[a][i];
-      shift = without_part_along(shifting_velocity(gradient, h_, speed_, limit), wall_normal);
+      shift = shifting_velocity(gradient, h_, speed_, limit);
+      Vec<D> normal;
       if (near_surface(i)) {
-        Vec<D> outward;
-        for (int a = 0; a < D; ++a) outward[a] = -inward_[a][i];
-        shift = along_surface(shift, outward);
+        for (int a = 0; a < D; ++a) normal[a] = -inward_[a][i];
+        shift = along_surface(shift, normal);
+      } else {
+        for (int a = 0; a < D; ++a) normal[a] = wall_normal_[a][i];
+        shift = without_part_along(shift, normal);
       }
     }
     for (int a = 0; a < D; ++a) shift_[a][i] = shift[a];

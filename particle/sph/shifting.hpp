@@ -93,9 +93,11 @@ class Surroundings {
   /// rest nothing is. (Sun, Colagrossi, Marrone, Antuono & Zhang 2019, Comput. Methods Appl. Mech.
   /// Eng. 348, take half of the largest relative velocity instead, which in uniform shear is 1.3
   /// times that. But it takes the jitter of single particles for motion, and what the shift jolts
-  /// is shifted the more: still water stirs itself.) Near a wall particles are shifted along it
-  /// only. A wall does not give way to what is shifted: density_rate() would take a shift towards
-  /// it for thinner fluid, whose pressure draws in more, and in a corner that runs away.
+  /// is shifted the more: still water stirs itself.) Inside the fluid, particles near a wall are
+  /// shifted along it only. A wall does not give way to what is shifted: density_rate() would take
+  /// a shift towards it for thinner fluid, whose pressure draws in more, and in a corner that runs
+  /// away. Under a free surface the density does not follow, and layers that are drawn out along a
+  /// wall, as in the tongue of a dam break, are filled up from above.
   template <class K>
   void survey(const K& kernel, const CellGrid<D>& grid, const Particles<D>& p,
               const Field& fluid_volume, const std::vector<std::uint32_t>& fluid_before,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tests/io/case_fixture.hpp"
 
 namespace surge {
@@ -50,6 +52,50 @@ TEST(Probes, MeasureHalfASpacingInFrontOfAWall) {
 
 TEST(Probes, FeelNothingWhereThereIsNoWater) {
   EXPECT_EQ(measured(Particles<2>()), 0.0);
+}
+
+/// The weight of the half of a disc that lies in front of a wall: int (1 - r/R)^2 dV = pi R^2/12,
+/// over l0^2 with R = 2 l0.
+constexpr double half_disc = std::numbers::pi / 3.0;
+
+TEST(Probes, FeelADropOnlyWhereItIs) {
+  Particles<2> drop;
+  drop.resize(1);
+  drop.type[0] = ParticleType::fluid;
+  drop.x[0][0] = 0.12 - l0;
+  drop.x[1][0] = 0.1;
+  drop.pressure[0] = 8.0;
+  EXPECT_NEAR(measured(drop), 0.25 * 8.0 / (0.75 * half_disc), 0.01);
+}
+
+TEST(Probes, FeelWaterThatCoversThemByHalf) {
+  Particles<2> water = lattice([](double, double) { return 8.0; }, 0.0);
+  for (std::size_t i = 0; i < water.size(); ++i)
+    if (water.x[1][i] > 0.1) water.type[i] = ParticleType::dummy;
+  EXPECT_NEAR(measured(water), 0.5 * 8.0 / 0.75, 0.2);
+}
+
+// A corner of the tank, where a quarter of the disc is open.
+TEST(Probes, KeepAConstantPressureInACorner) {
+  const Case c = test::make_case({"probe.0.position=[0.0,0.0]"});
+  Particles<2> water;
+  water.resize(16);
+  for (std::size_t k = 0; k < water.size(); ++k) {
+    water.x[0][k] = l0 * (0.5 + static_cast<double>(k % 4));
+    water.x[1][k] = l0 * (0.5 + static_cast<double>(k / 4));
+    water.type[k] = ParticleType::fluid;
+    water.pressure[k] = 7.0;
+  }
+  EXPECT_NEAR(Probes<2>(c).measure(water)[0], 7.0, 1e-12);
+}
+
+TEST(Probes, ObstaclesAreWallsOpenSidesAreNot) {
+  const Case c = test::make_case({});
+  EXPECT_TRUE(in_wall<2>(c, {-0.001, 0.05}));
+  EXPECT_TRUE(in_wall<2>(c, {0.05, -0.001}));
+  EXPECT_TRUE(in_wall<2>(c, {0.11, 0.01}));
+  EXPECT_FALSE(in_wall<2>(c, {0.11, 0.03}));
+  EXPECT_FALSE(in_wall<2>(c, {0.05, 0.2}));
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TEST(Shifting, OnlyWhatLeadsOutIsTakenOff) {
   EXPECT_EQ(along_surface(V{1.0, 2.0}, V{0.0, 0.0}), (V{1.0, 2.0}));
 }
 
-TEST(Shifting, NothingTowardsAWallOrAway) {
+TEST(Shifting, NothingTowardsAWallOrAwayInsideTheFluid) {
   // The lowest three rows are a wall.
   Layer layer(count / 2, 0.0, 0.5);
   std::mt19937 random(7);
@@ -207,6 +207,26 @@ TEST(Shifting, NothingTowardsAWallOrAway) {
   }
   EXPECT_EQ(seen, 2 * count);
   EXPECT_GT(fastest, 1e-2 * l0);
+}
+
+TEST(Shifting, LayersUnderASurfaceFillAGapAtAWall) {
+  // Three rows of wall, and three of water with a gap below them.
+  Layer layer(6, 0.0, 0.5);
+  for (std::size_t i = 0; i < layer.p.size(); ++i) {
+    if (i < std::size_t{3} * count)
+      layer.p.type[i] = ParticleType::dummy;
+    else
+      layer.p.x[1][i] += 0.4 * l0;
+  }
+  layer.survey();
+  long seen = 0;
+  for (std::size_t i = 0; i < layer.p.size(); ++i) {
+    if (layer.p.type[i] != ParticleType::fluid || layer.p.x[1][i] > 4.0 * l0) continue;
+    ++seen;
+    EXPECT_TRUE(layer.surroundings.near_surface(i));
+    EXPECT_LT(layer.shift(1, i), -0.01 * l0);
+  }
+  EXPECT_EQ(seen, count);
 }
 
 // Evening out moves the particles apart on the whole, by sum_i V_i div du_i, and only that is seen.
