@@ -1,8 +1,7 @@
 #pragma once
 
-#include "particle/mps/linear/block_sum.hpp"
+#include "particle/mps/linear/conjugate_gradients.hpp"
 #include "particle/mps/linear/grid_preconditioner.hpp"
-#include "particle/mps/pressure_solver.hpp"
 
 namespace surge::mps {
 
@@ -15,17 +14,9 @@ class GridPcg {
                     double tolerance, int max_iterations);
 
  private:
-  template <class Preconditioner>
-  SolveReport run(Preconditioner& preconditioner, const PoissonSystem& system, const Field& excess,
-                  Field& p, double re, double tolerance, int max_iterations);
-
   GridPreconditioner<2> plane_;
   GridPreconditioner<3> space_;
-  Field residual_;
-  Field z_;
-  Field direction_;
-  Field product_;
-  BlockSum block_sum_;
+  ConjugateGradients cg_;
 };
 
 }  // namespace surge::mps

@@ -1,67 +1,72 @@
 #include "particle/mps/linear/iccg.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
-#include "particle/mps/linear/timer.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::mps {
 
-// Eigen wants the diagonal inside the rows and the columns ascending.
-void Iccg::fill(const PoissonSystem& system) {
+// Eigen wants columns with ascending rows, here those of the lower triangle. The matrix is
+// symmetric: column j of it is the part of row j from the diagonal on.
+void Iccg::factorise(const PoissonSystem& system) {
   const auto n = static_cast<int>(system.size());
-  matrix_.resize(n, n);
-  matrix_.resizeNonZeros(static_cast<Eigen::Index>(system.column.size()) + n);
-  int* start = matrix_.outerIndexPtr();
-  int* column = matrix_.innerIndexPtr();
-  double* value = matrix_.valuePtr();
+  const auto each_in_column = [&](int j, const auto& f) {
+    const auto at = static_cast<std::size_t>(j);
+    for (int k = system.row_start[at]; k < system.row_start[at + 1]; ++k)
+      if (system.column[static_cast<std::size_t>(k)] > j) f(static_cast<std::size_t>(k));
+  };
+  lower_.resize(n, n);
+  int* start = lower_.outerIndexPtr();
+  start[0] = 0;
+  for (int j = 0; j < n; ++j) {
+    int entries = 1;
+    each_in_column(j, [&](std::size_t) { ++entries; });
+    start[j + 1] = start[j] + entries;
+  }
+  lower_.resizeNonZeros(start[n]);
+  int* row = lower_.innerIndexPtr();
+  float* value = lower_.valuePtr();
 #pragma omp parallel
   {
-    std::vector<std::pair<int, double>> row;
+    std::vector<std::pair<int, float>> column;
 #pragma omp for schedule(static)
-    for (int i = 0; i < n; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      row.clear();
-      row.emplace_back(i, system.diagonal[at]);
-      for (int k = system.row_start[at]; k < system.row_start[at + 1]; ++k) {
-        row.emplace_back(system.column[static_cast<std::size_t>(k)],
-                         static_cast<double>(system.value[static_cast<std::size_t>(k)]));
-      }
-      std::sort(row.begin(), row.end());
-      start[i] = system.row_start[at] + i;
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        column[start[i] + static_cast<int>(k)] = row[k].first;
-        value[start[i] + static_cast<int>(k)] = row[k].second;
+    for (int j = 0; j < n; ++j) {
+      column.clear();
+      column.emplace_back(j, static_cast<float>(system.diagonal[static_cast<std::size_t>(j)]));
+      each_in_column(j, [&](std::size_t k) {
+        column.emplace_back(system.column[k], system.value[k]);
+      });
+      std::sort(column.begin(), column.end());
+      for (std::size_t k = 0; k < column.size(); ++k) {
+        row[start[j] + static_cast<int>(k)] = column[k].first;
+        value[start[j] + static_cast<int>(k)] = column[k].second;
       }
     }
   }
-  start[n] = static_cast<int>(system.column.size()) + n;
+  // No shift: incomplete Cholesky of an M-matrix exists (Meijerink & van der Vorst). Eigen raises
+  // the shift by itself where rounding breaks this.
+  factor_.setInitialShift(0.0);
+  factor_.compute(lower_);
+  if (factor_.info() != Eigen::Success) {
+    throw Error("pressure: incomplete Cholesky failed, the equations are not positive definite");
+  }
+}
+
+double Iccg::apply(const Field& r, Field& z) {
+  const auto n = static_cast<Eigen::Index>(r.size());
+  const Eigen::Map<const Eigen::VectorXd> from(r.data(), n);
+  Eigen::Map<Eigen::VectorXd>(z.data(), n) =
+      factor_.solve(from.cast<float>()).template cast<double>();
+  return dot(r, z, block_sum_);
 }
 
 SolveReport Iccg::solve(const PoissonSystem& system, Field& p, double tolerance,
                         int max_iterations) {
-  SolveReport report;
-  const auto n = static_cast<Eigen::Index>(system.size());
-  Timer setup(report.setup_s);
-  fill(system);
-  // No shift: incomplete Cholesky of an M-matrix exists (Meijerink & van der Vorst). Eigen raises
-  // the shift by itself where rounding breaks this.
-  cg_.preconditioner().setInitialShift(0.0);
-  cg_.compute(matrix_);
-  if (cg_.info() != Eigen::Success) {
-    throw Error("pressure: incomplete Cholesky failed, the equations are not positive definite");
-  }
-  setup.stop();
-
-  Timer solve(report.solve_s);
-  cg_.setTolerance(tolerance);
-  cg_.setMaxIterations(max_iterations);
-  Eigen::Map<Eigen::VectorXd> solution(p.data(), n);
-  const Eigen::Map<const Eigen::VectorXd> rhs(system.rhs.data(), n);
-  solution = cg_.solveWithGuess(rhs, solution).eval();
-  report.iterations = static_cast<int>(cg_.iterations());
-  solve.stop();
-  return report;
+  return cg_(
+      system, p, tolerance, max_iterations, [&] { factorise(system); },
+      [&](const Field& r, Field& z) { return apply(r, z); });
 }
 
 }  // namespace surge::mps
