@@ -51,7 +51,8 @@ class Probes {
   }
 
  private:
-  /// Below it a place counts as partly dry: gaps at a wall and between stretched particles are less.
+  /// Below it a place counts as partly dry: gaps at a wall and between stretched particles are
+  /// less.
   static constexpr double least_wet = 0.75;
 
   [[nodiscard]] double weight(double r) const { return std::pow(1.0 - r / radius_, 2); }

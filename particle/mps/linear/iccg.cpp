@@ -35,9 +35,8 @@ void Iccg::factorise(const PoissonSystem& system) {
     for (int j = 0; j < n; ++j) {
       column.clear();
       column.emplace_back(j, static_cast<float>(system.diagonal[static_cast<std::size_t>(j)]));
-      each_in_column(j, [&](std::size_t k) {
-        column.emplace_back(system.column[k], system.value[k]);
-      });
+      each_in_column(
+          j, [&](std::size_t k) { column.emplace_back(system.column[k], system.value[k]); });
       std::sort(column.begin(), column.end());
       for (std::size_t k = 0; k < column.size(); ++k) {
         row[start[j] + static_cast<int>(k)] = column[k].first;

@@ -17,8 +17,9 @@ class Iccg {
   SolveReport solve(const PoissonSystem& system, Field& p, double tolerance, int max_iterations);
 
  private:
-  // In single precision, which is all that a preconditioner needs: it bounds neither the residual nor,
-  // as measured, the iterations. Natural order: the unknowns come in cell order, which fills no worse than AMD here.
+  // In single precision, which is all that a preconditioner needs: it bounds neither the residual
+  // nor, as measured, the iterations. Natural order: the unknowns come in cell order, which fills
+  // no worse than AMD here.
   using Preconditioner =
       Eigen::IncompleteCholesky<float, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
