@@ -34,6 +34,9 @@ void RunRecord::add(const StepReport& report) {
   clipped += report.clipped;
   wall_collisions += report.wall_collisions;
   particle_collisions += report.particle_collisions;
+  ppe_iterations += report.ppe_iterations;
+  ppe_setup += report.ppe_setup_s;
+  ppe_solve += report.ppe_solve_s;
 }
 
 std::string manifest_text(const RunRecord& record, const Case& c) {
@@ -61,6 +64,11 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
   j["clipped"] = record.clipped;
   j["wall_collisions"] = record.wall_collisions;
   j["particle_collisions"] = record.particle_collisions;
+  if (c.method_name() == "mps") {
+    j["ppe"] = {{"iterations", record.ppe_iterations},
+                {"setup_s", record.ppe_setup},
+                {"solve_s", record.ppe_solve}};
+  }
   j["nonfinite"] = record.nonfinite;
   j["case"] = to_json(c);
   return j.dump(2) + '\n';

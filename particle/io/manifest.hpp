@@ -29,7 +29,10 @@ struct RunRecord {
   long clipped = 0;
   long wall_collisions = 0;
   long particle_collisions = 0;
-  long nonfinite = 0;  ///< values that were infinite or not a number
+  long ppe_iterations = 0;  ///< of all steps; the pressure solver of MPS
+  double ppe_setup = 0.0;   ///< s in all, preconditioner or factorisation
+  double ppe_solve = 0.0;   ///< s in all, the rest of it
+  long nonfinite = 0;       ///< values that were infinite or not a number
 
   void add(const StepReport& report);
 };

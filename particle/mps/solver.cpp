@@ -458,6 +458,8 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
+  report.ppe_setup_s = solve.setup_s;
+  report.ppe_solve_s = solve.solve_s;
   const bool clip = params_.negative_pressure == NegativePressure::clip;
   long clipped = 0;
 #pragma omp parallel for schedule(static, stretch) reduction(+ : clipped)

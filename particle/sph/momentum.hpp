@@ -52,6 +52,14 @@ T artificial_viscosity(T approach, T r2, T mean_density, double alpha_c0_h, doub
   return T(-alpha_c0_h) * mu / mean_density;
 }
 
+/// What is needed of an artificial viscosity alpha c0 h (m2/s) where the fluid has a viscosity nu
+/// (m2/s) of its own: it stands for alpha c0 h / (2 (D + 2)) (Monaghan 2005, Rep. Prog. Phys. 68),
+/// and only what nu lacks of that is added, so that a viscous flow has the viscosity it is given.
+template <int D>
+double artificial_share(double alpha_c0_h, double nu) {
+  return std::max(0.0, alpha_c0_h - 2.0 * (D + 2) * nu);
+}
+
 /// Laminar viscous acceleration of Morris, Fox & Zhu (1997), J. Comput. Phys. 136, for one
 /// viscosity:
 ///   nu lap v = sum_j m_j (mu_i + mu_j) / (rho_i rho_j) (x_ij . grad_i W) / (r^2 + 0.01 h^2) v_ij,

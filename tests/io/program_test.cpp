@@ -98,6 +98,14 @@ TEST_F(Program, WritesARunFolder) {
     EXPECT_EQ(j["nonfinite"], 0);
     EXPECT_GT(j["wall_s"]["total"], 0.0);
     EXPECT_GT(j["cpu_s"], 0.0);
+    EXPECT_EQ(j.contains("ppe"), method == "mps");
+    if (method == "mps") {
+      EXPECT_GT(j["ppe"]["iterations"], 0);
+      EXPECT_GT(j["ppe"]["setup_s"], 0.0);
+      EXPECT_GT(j["ppe"]["solve_s"], 0.0);
+      EXPECT_LT(j["ppe"]["setup_s"].get<double>() + j["ppe"]["solve_s"].get<double>(),
+                j["wall_s"]["pressure"]);
+    }
     for (const char* phase : {"setup", "neighbours", "pressure", "forces", "output"}) {
       EXPECT_TRUE(j["wall_s"].contains(phase)) << phase;
     }

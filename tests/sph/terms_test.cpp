@@ -115,6 +115,13 @@ TEST(ArtificialViscosity, ActsOnApproachingPairsOnly) {
   EXPECT_GT(artificial_viscosity(-0.3, 1e-4, rho, 0.1, h * h), 0.0);
 }
 
+TEST(ArtificialViscosity, AddsOnlyWhatTheFluidLacks) {
+  EXPECT_EQ(artificial_share<2>(0.08, 0.0), 0.08);
+  EXPECT_NEAR(artificial_share<2>(0.08, 0.004), 0.048, 1e-15);
+  EXPECT_EQ(artificial_share<2>(0.08, 0.02), 0.0);
+  EXPECT_NEAR(artificial_share<3>(0.08, 0.004), 0.04, 1e-15);
+}
+
 // Morris et al.: nu lap v on a parabolic profile.
 TEST(LaminarViscosity, LaplacianOfAParabolicProfile) {
   const double nu = 1e-2;
