@@ -173,6 +173,15 @@ std::string upper_panel(const std::string& file, const StudyResult& study,
          plots_of(file, study, curves, shifts) + "unset label 1\n";
 }
 
+/// 1, 2 or 5 times a power of ten, of which two to four make up `limit`.
+double tic_step(double limit) {
+  const double power = std::pow(10.0, std::floor(std::log10(limit / 2.0)));
+  double step = power;
+  for (const double factor : {2.0, 5.0})
+    if (factor * power <= limit / 2.0) step = factor * power;
+  return step;
+}
+
 std::string lower_panel(const Table& differences, const StudyResult& study,
                         const std::vector<Curve>& curves) {
   const std::string& file = differences.name;
@@ -183,7 +192,8 @@ std::string lower_panel(const Table& differences, const StudyResult& study,
   std::string script = window_mark(study, "graph 0", "graph 1");
   script +=
       "set format x \"%g\"\nset yrange [-" + fixed_text(limit, 3) + ":" + fixed_text(limit, 3) +
-      "]\nset ytics auto\nset key off\n"
+      "]\nset ytics " + fixed_text(tic_step(limit), 6) +
+      "\nset key off\n"
       "set xlabel \"{/:Italic T} = {/:Italic t} √(2{/:Italic g}/{/:Italic L})\" offset 0,0.4\n"
       "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
   std::vector<std::string> plots{"0 " + line_spec(reference_style(), 1.0)};
@@ -211,7 +221,7 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
   const std::string legend = fixed_text(1.0 - 94.5 / figure.height_mm, 4);
   figure.script =
-      "set multiplot\nset lmargin at screen 0.155\nset rmargin at screen 0.97\n"
+      "set multiplot\nset lmargin at screen 0.175\nset rmargin at screen 0.97\n"
       "set key at screen 0.05," +
       legend + " left top vertical maxcols 1 Left reverse\n" +
       panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(name, study, curves, shifts) +
