@@ -129,7 +129,7 @@ std::string first_line_of(const char* command) {
 }
 
 std::string user_name() {
-  const std::string git = first_line_of("git config user.name 2>/dev/null");
+  std::string git = first_line_of("git config user.name 2>/dev/null");
   if (!git.empty()) return git;
   const char* user = std::getenv("USER");
   if (user && *user) return user;

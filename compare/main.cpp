@@ -4,10 +4,12 @@
 #include "compare/commands.hpp"
 #include "particle/support/version.hpp"
 
-int main(int argc, char** argv) {
-  using namespace surge::compare;
+namespace surge::compare {
+namespace {
+
+int run(int argc, char** argv) {
   CLI::App app{"Compares particle and volume-of-fluid runs of free-surface flows."};
-  const surge::BuildInfo build = surge::build_info();
+  const BuildInfo build = build_info();
   app.set_version_flag("--version", "surge-compare " + build.version + " (" + build.commit + ")");
   app.require_subcommand(1);
   int exit_code = exit_success;
@@ -22,8 +24,17 @@ int main(int argc, char** argv) {
     return exit_code;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_success : exit_error;
+  }
+}
+
+}  // namespace
+}  // namespace surge::compare
+
+int main(int argc, char** argv) {
+  try {
+    return surge::compare::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "surge-compare: %s\n", error.what());
-    return exit_error;
+    return surge::compare::exit_error;
   }
 }

@@ -64,6 +64,7 @@ std::vector<SeriesEntry> list_collection(const fs::path& file) {
     entry.files.push_back(file.parent_path() / name);
   }
   std::vector<SeriesEntry> list;
+  list.reserve(entries.size());
   for (auto& [time, entry] : entries) list.push_back(std::move(entry));
   return list;
 }
@@ -83,6 +84,7 @@ std::vector<SeriesEntry> list_numbered(const fs::path& folder, std::string_view 
     }
   }
   std::vector<SeriesEntry> list;
+  list.reserve(files.size());
   for (const auto& [number, file] : files) list.push_back({std::nullopt, {file}});
   return list;
 }

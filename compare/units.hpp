@@ -16,7 +16,8 @@ class Quantity {
   [[nodiscard]] constexpr double value() const { return value_; }
   [[nodiscard]] bool is_finite() const { return std::isfinite(value_); }
 
-  constexpr auto operator<=>(const Quantity&) const = default;
+  // clang-tidy 14 sees a null pointer in what the compiler makes of it.
+  constexpr auto operator<=>(const Quantity&) const = default;  // NOLINT(modernize-use-nullptr)
   constexpr Quantity operator-() const { return Quantity(-value_); }
   constexpr Quantity& operator+=(Quantity b) {
     value_ += b.value_;

@@ -14,8 +14,6 @@
 
 #include "particle/support/error.hpp"
 
-extern char** environ;
-
 namespace surge::compare {
 
 namespace fs = std::filesystem;

@@ -32,7 +32,7 @@ class GridPreconditioner {
 
  private:
   static constexpr int corners = GridLevel<D>::corners;
-  using Element = std::array<float, corners * corners>;
+  using Element = std::array<float, std::size_t{corners} * corners>;
 
   void lay_grid(const PoissonSystem& system, double width);
   void sort_into_cells(const PoissonSystem& system);
