@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "particle/core/for_each_cell.hpp"
+
 namespace surge {
 namespace {
 
@@ -18,20 +20,6 @@ void append(Particles<D>& p, const Vec<D>& x, const Vec<D>& v, ParticleType type
   p.id.push_back(static_cast<std::int32_t>(p.id.size()));
   p.pressure.push_back(0.0);
   p.density.push_back(0.0);
-}
-
-/// Calls f(index) for all index tuples in [lower, upper).
-template <int D, class F>
-void for_each_cell(const std::array<int, D>& lower, const std::array<int, D>& upper, F&& f) {
-  for (int a = 0; a < D; ++a)
-    if (lower[a] >= upper[a]) return;
-  std::array<int, D> k = lower;
-  while (true) {
-    f(k);
-    int a = 0;
-    while (a < D && ++k[a] == upper[a]) k[a] = lower[a], ++a;
-    if (a == D) return;
-  }
 }
 
 template <int D>

@@ -9,6 +9,7 @@
 #include <omp.h>
 
 #include "particle/core/cell_grid.hpp"
+#include "particle/core/for_each_cell.hpp"
 #include "particle/core/pair_loop.hpp"
 #include "particle/core/simd.hpp"
 
@@ -104,14 +105,7 @@ class SymmetricPairLoop {
         begin[a] = boundary(b, a);
         end[a] = boundary(b + 1, a);
       }
-      for (std::array<int, D> at = begin; at[D - 1] < end[D - 1];) {
-        visit(at);
-        ++at[0];
-        for (int a = 0; a + 1 < D && at[a] == end[a]; ++a) {
-          at[a] = begin[a];
-          ++at[a + 1];
-        }
-      }
+      surge::for_each_cell<D>(begin, end, visit);
     }
 
    private:

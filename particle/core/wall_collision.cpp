@@ -105,17 +105,29 @@ bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end
 
 template <int D>
 bool WallCollision<D>::is_lost(const Vec<D>& x) const {
-  const auto inside = [&](const Box& box) {
+  for (int a = 0; has_tank_ && a < D; ++a)
+    if (!tank_.periodic[a] && (x[a] < tank_.box.lower[a] || x[a] > tank_.box.upper[a])) return true;
+  return in_obstacle(x);
+}
+
+template <int D>
+bool WallCollision<D>::is_solid(const Vec<D>& x) const {
+  for (int a = 0; has_tank_ && a < D; ++a) {
+    if (tank_.periodic[a]) continue;
+    const auto side = static_cast<std::size_t>(2 * a);
+    if (x[a] < tank_.box.lower[a] && !tank_.open[side]) return true;
+    if (x[a] > tank_.box.upper[a] && !tank_.open[side + 1]) return true;
+  }
+  return in_obstacle(x);
+}
+
+template <int D>
+bool WallCollision<D>::in_obstacle(const Vec<D>& x) const {
+  return std::any_of(solid_.begin(), solid_.end(), [&](const Box& box) {
     for (int a = 0; a < D; ++a)
       if (x[a] <= box.lower[a] || x[a] >= box.upper[a]) return false;
     return true;
-  };
-  if (has_tank_) {
-    for (int a = 0; a < D; ++a)
-      if (!tank_.periodic[a] && (x[a] < tank_.box.lower[a] || x[a] > tank_.box.upper[a]))
-        return true;
-  }
-  return std::any_of(solid_.begin(), solid_.end(), inside);
+  });
 }
 
 template class WallCollision<2>;

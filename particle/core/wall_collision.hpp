@@ -20,8 +20,11 @@ class WallCollision {
 
   /// Whether x lies outside the tank (open sides included) or inside an obstacle.
   [[nodiscard]] bool is_lost(const Vec<D>& x) const;
+  /// Whether x lies beyond a wall of the tank or inside an obstacle.
+  [[nodiscard]] bool is_solid(const Vec<D>& x) const;
 
  private:
+  [[nodiscard]] bool in_obstacle(const Vec<D>& x) const;
   bool keep_in_tank(Vec<D>& end, Vec<D>& velocity) const;
   bool keep_out(const Box& obstacle, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
 

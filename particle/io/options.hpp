@@ -173,9 +173,8 @@ void visit_options(P& p, Visitor&& option) {
          "moves particles to where there are fewer; concentration is Sun et al. (2017)");
   option("viscous_term", p.viscous_term, any,
          "laplacian is Morris, Fox & Zhu (1997), deformation Monaghan & Gingold (1983)");
-  option(
-      "artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),
-      "alpha of the artificial viscosity, Monaghan (1992); only what the fluid's own lacks of it");
+  option("artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),
+         "alpha of Monaghan (1992); adds only what the fluid's own viscosity lacks of it");
   option("density_diffusion", p.density_diffusion, Bounds::at_least(0.0),
          "delta of the density diffusion, Molteni & Colagrossi (2009)");
   option("diffusion_of", p.diffusion_of, any,

@@ -4,25 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "particle/core/for_each_cell.hpp"
 #include "particle/core/particles.hpp"
+#include "particle/core/wall_collision.hpp"
 #include "particle/io/case.hpp"
 
 namespace surge {
-
-/// Whether x lies beyond a wall of the tank or in an obstacle.
-template <int D>
-bool in_wall(const Case& c, const Point& x) {
-  for (std::size_t a = 0; c.has_tank && a < D; ++a) {
-    if (c.tank.periodic[a]) continue;
-    if (x[a] < c.tank.box.lower[a] && !c.tank.open[2 * a]) return true;
-    if (x[a] > c.tank.box.upper[a] && !c.tank.open[2 * a + 1]) return true;
-  }
-  return std::any_of(c.obstacles.begin(), c.obstacles.end(), [&](const Box& box) {
-    for (std::size_t a = 0; a < D; ++a)
-      if (x[a] < box.lower[a] || x[a] > box.upper[a]) return false;
-    return true;
-  });
-}
 
 /// Pressure at fixed places, as a sensor with a face of that size would feel it:
 ///   p = sum_i w_i p_i l0^D / max(sum_i w_i l0^D, wet W),  w_i = (1 - r_i/2l0)^2 for r_i < 2 l0,
@@ -37,9 +24,10 @@ class Probes {
       const bool wraps = c.has_tank && c.tank.periodic[a];
       period_[a] = wraps ? c.tank.box.upper[a] - c.tank.box.lower[a] : 0.0;
     }
+    const WallCollision<D> walls(c, 0.0, 0.0);
     for (const Probe& probe : c.probes) {
       points_.push_back(probe.position);
-      wet_.push_back(least_wet * weight_of_the_open(c, probe.position));
+      wet_.push_back(least_wet * weight_of_the_open(walls, c.spacing, probe.position));
     }
   }
 
@@ -58,27 +46,24 @@ class Probes {
   [[nodiscard]] double weight(double r) const { return std::pow(1.0 - r / radius_, 2); }
 
   /// int w dV / l0^D over what is neither wall nor obstacle, by midpoints.
-  [[nodiscard]] double weight_of_the_open(const Case& c, const Point& point) const {
+  [[nodiscard]] double weight_of_the_open(const WallCollision<D>& walls, double spacing,
+                                          const Point& point) const {
     constexpr int parts = 40;  // of a diameter
     const double step = 2.0 * radius_ / parts;
     double sum = 0.0;
-    std::array<int, D> at{};
-    while (at[D - 1] < parts) {
-      Point x = point;
+    std::array<int, D> end;
+    end.fill(parts);
+    for_each_cell<D>({}, end, [&](const std::array<int, D>& k) {
+      Vec<D> x;
       double square = 0.0;
       for (std::size_t a = 0; a < D; ++a) {
-        const double d = (at[a] + 0.5) * step - radius_;
-        x[a] += d;
+        const double d = (k[a] + 0.5) * step - radius_;
+        x[a] = point[a] + d;
         square += d * d;
       }
-      if (square < radius_ * radius_ && !in_wall<D>(c, x)) sum += weight(std::sqrt(square));
-      ++at[0];
-      for (std::size_t a = 0; a + 1 < D && at[a] == parts; ++a) {
-        at[a] = 0;
-        ++at[a + 1];
-      }
-    }
-    return sum * std::pow(step / c.spacing, D);
+      if (square < radius_ * radius_ && !walls.is_solid(x)) sum += weight(std::sqrt(square));
+    });
+    return sum * std::pow(step / spacing, D);
   }
 
   [[nodiscard]] double pressure_at(const Particles<D>& particles, const Point& point,

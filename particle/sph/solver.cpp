@@ -48,7 +48,7 @@ Solver<D>::Solver(const Case& c)
       no_slip_(c.has_tank && c.tank.wall == WallCondition::no_slip && nu_ > 0.0),
       h_(params_.h_over_l0 * c.spacing),
       c0_(params_.sound_speed_ratio * reference_speed(c)),
-      artificial_(artificial_share<D>(params_.artificial_viscosity * c0_ * h_, nu_)),
+      alpha_c0_h_(artificial_share<D>(params_.artificial_viscosity * c0_ * h_, nu_)),
       mass_(c.density * std::pow(c.spacing, D)),
       kernel_(make_kernel<D>(params_.kernel, h_)),
       state_(c.density, c0_, params_.gamma),
@@ -440,7 +440,7 @@ template <int D>
 void Solver<D>::apply_momentum() {
   const auto scope = clock_.measure(Phase::forces);
   if (no_slip_) std::visit([&](const auto& kernel) { extrapolate_velocity(kernel); }, kernel_);
-  const bool viscous = artificial_ > 0.0 || nu_ > 0.0;
+  const bool viscous = alpha_c0_h_ > 0.0 || nu_ > 0.0;
   std::visit(
       [&](const auto& kernel) {
         using K = std::decay_t<decltype(kernel)>;
@@ -502,7 +502,7 @@ void Solver<D>::momentum_pass(const K& kernel) {
       Simd volume_i = i[2 * D + 2];
       Simd volume_j = j[2 * D + 2];
       Simd artificial =
-          artificial_viscosity(approach, r2, Simd(0.5) * (rho_i + rho_j), artificial_, h2) * slope;
+          artificial_viscosity(approach, r2, Simd(0.5) * (rho_i + rho_j), alpha_c0_h_, h2) * slope;
       // Slip walls exert no friction.
       stdx::where(volume_i * volume_j == 0.0, artificial) = 0.0;
       factor += artificial;

@@ -104,7 +104,7 @@ class Solver {
   Vec<D> still_gravity_{};  ///< what a hydrostatic pressure balances
   double h_;
   double c0_;
-  double artificial_;  ///< alpha c0 h of the artificial viscosity, m2/s
+  double alpha_c0_h_;  ///< of the artificial viscosity, m2/s
   double mass_;
   Kernel kernel_;
   EquationOfState state_;

@@ -12,13 +12,12 @@
 namespace surge {
 namespace {
 
-constexpr double radius = 0.11;
-
 struct Setup {
   Search search;
   int reach;
   bool periodic;
   std::size_t particles;
+  double radius = 0.11;
 };
 
 template <int D>
@@ -41,7 +40,8 @@ Periodicity<D> unit_period(bool on) {
 /// A term that is the same for both particles of a pair, one that is opposite, and one that is
 /// neither, so that a pair missed, met twice or credited to the wrong one shows.
 template <int D>
-PairTerms<3> terms(const std::array<Simd, D + 1>& i, const std::array<Simd, D + 1>& j) {
+PairTerms<3> terms(const std::array<Simd, D + 1>& i, const std::array<Simd, D + 1>& j,
+                   double radius) {
   Simd r2 = 0.0;
   for (int a = 0; a < D; ++a) r2 += (j[a] - i[a]) * (j[a] - i[a]);
   Simd weight = stdx::max(Simd(radius * radius) - r2, Simd(0.0));
@@ -65,7 +65,7 @@ Result<D> add_up(const Setup& s) {
   std::array<Field, D> x;
   std::copy_n(r.fields.begin(), D, x.begin());
   CellGrid<D> grid(s.search, unit_period<D>(s.periodic));
-  grid.build(x, radius, s.reach);
+  grid.build(x, s.radius, s.reach);
   for (auto& field : r.fields) grid.reorder(field);
   typename SymmetricPairLoop<D, D + 1, 3>::Sources in;
   typename SymmetricPairLoop<D, D + 1, 3>::Sums out;
@@ -77,14 +77,16 @@ Result<D> add_up(const Setup& s) {
   SymmetricPairLoop<D, D + 1, 3> loop;
   loop(
       grid, in, out, [](std::size_t) { return true; },
-      [](std::size_t, std::size_t) { return true; }, terms<D>);
+      [](std::size_t, std::size_t) { return true; },
+      [&](const auto& i, const auto& j) { return terms<D>(i, j, s.radius); });
   return r;
 }
 
 template <int D>
 void expect_the_definition(const Setup& s) {
   const Result<D> r = add_up<D>(s);
-  for (std::size_t i = 0; i < s.particles; i += 7) {
+  const std::size_t stride = s.particles < 10000 ? 7 : 97;
+  for (std::size_t i = 0; i < s.particles; i += stride) {
     std::array<double, 3> expected{};
     for (std::size_t j = 0; j < s.particles; ++j) {
       std::array<double, D> dx;
@@ -94,8 +96,8 @@ void expect_the_definition(const Setup& s) {
         if (s.periodic) dx[a] -= std::nearbyint(dx[a]);
         r2 += dx[a] * dx[a];
       }
-      if (i == j || r2 >= radius * radius) continue;
-      const double weight = radius * radius - r2;
+      if (i == j || r2 >= s.radius * s.radius) continue;
+      const double weight = s.radius * s.radius - r2;
       expected[0] += weight;
       expected[1] += weight * dx[0];
       expected[2] += weight * r.fields[D][j];
@@ -124,6 +126,11 @@ INSTANTIATE_TEST_SUITE_P(Setups, SymmetricPairs,
                                          Setup{Search::all_pairs, 1, false, 900},
                                          Setup{Search::all_pairs, 1, true, 500}));
 
+// So many cells that the blocks are larger than the smallest ones.
+INSTANTIATE_TEST_SUITE_P(LargeBlocks, SymmetricPairs,
+                         testing::Values(Setup{Search::cell_grid, 2, false, 40000, 0.008},
+                                         Setup{Search::cell_grid, 1, true, 40000, 0.018}));
+
 TEST(SymmetricPairs, SumsAreTheSameWhateverTheNumberOfThreads) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -137,6 +144,7 @@ TEST(SymmetricPairs, SumsAreTheSameWhateverTheNumberOfThreads) {
 }
 
 TEST(SymmetricPairs, LeaveOutCellsWithoutANeededParticle) {
+  constexpr double radius = 0.11;
   std::array<Field, 2> x;
   for (int i = 0; i < 200; ++i) {
     x[0].push_back(0.05 * (i % 20));

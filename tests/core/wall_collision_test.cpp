@@ -68,6 +68,15 @@ TEST(WallCollision, ParticleInsideAnObstacleIsPushedOut) {
   EXPECT_FALSE(walls.is_lost(end));
 }
 
+TEST(WallCollision, ObstaclesAndWhatIsBeyondWallsAreSolid) {
+  const WallCollision<2> walls(tank_with_thin_obstacle(), 0.1, 0.0);
+  EXPECT_TRUE(walls.is_solid({-0.001, 0.5}));
+  EXPECT_TRUE(walls.is_solid({0.2, -0.001}));
+  EXPECT_TRUE(walls.is_solid({0.502, 0.1}));
+  EXPECT_FALSE(walls.is_solid({0.2, 2.5})) << "the open side is no wall";
+  EXPECT_FALSE(walls.is_solid({0.001, 0.001})) << "the distance is for particles";
+}
+
 // Whatever the path, however fast: nobody ends up outside, inside a solid, or behind it.
 TEST(WallCollision, NoRandomPathPassesAWall) {
   Case c = tank_with_thin_obstacle();

@@ -89,14 +89,5 @@ TEST(Probes, KeepAConstantPressureInACorner) {
   EXPECT_NEAR(Probes<2>(c).measure(water)[0], 7.0, 1e-12);
 }
 
-TEST(Probes, ObstaclesAreWallsOpenSidesAreNot) {
-  const Case c = test::make_case({});
-  EXPECT_TRUE(in_wall<2>(c, {-0.001, 0.05}));
-  EXPECT_TRUE(in_wall<2>(c, {0.05, -0.001}));
-  EXPECT_TRUE(in_wall<2>(c, {0.11, 0.01}));
-  EXPECT_FALSE(in_wall<2>(c, {0.11, 0.03}));
-  EXPECT_FALSE(in_wall<2>(c, {0.05, 0.2}));
-}
-
 }  // namespace
 }  // namespace surge

@@ -127,9 +127,12 @@ TEST_F(Program, AFailedRunTellsWhereItsTimeWent) {
   const nlohmann::json j = manifest("r");
   EXPECT_EQ(j["finished"], false);
   EXPECT_THAT(j["stopped"].get<std::string>(), testing::HasSubstr("infinite or undefined"));
+  double sum = 0.0;
   for (const char* phase : {"setup", "neighbours", "forces", "output"}) {
     EXPECT_GT(j["wall_s"][phase], 0.0) << phase;
+    sum += j["wall_s"][phase].get<double>();
   }
+  EXPECT_LE(sum, j["wall_s"]["total"]);
 }
 
 TEST_F(Program, RunsWithAnObstacleAndNoTank) {

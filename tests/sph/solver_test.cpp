@@ -220,6 +220,21 @@ TEST(SphSolver, DampingOfSoundIsThatOfABulkViscosity) {
   }
 }
 
+// nu = 0.02 m2/s is more than alpha c0 h / 8 stands for.
+TEST(SphSolver, ArtificialViscosityLeavesAViscousFlowAlone) {
+  Case c = small_dam();
+  c.kinematic_viscosity = 0.02;
+  std::get<Params>(c.method).artificial_viscosity = 0.01;
+  Solver<2> with(c);
+  std::get<Params>(c.method).artificial_viscosity = 0.0;
+  Solver<2> without(c);
+  for (int k = 0; k < 20; ++k) {
+    with.step(1.0);
+    without.step(1.0);
+  }
+  for (int a = 0; a < 2; ++a) EXPECT_EQ(with.particles().v[a], without.particles().v[a]);
+}
+
 TEST(SphSolver, RunsInThreeDimensions) {
   Case c = small_dam();
   c.dimension = 3;

@@ -22,12 +22,26 @@ class ConjugateGradients {
                          int max_iterations, Prepare&& prepare, Precondition&& precondition);
 
  private:
+  /// product_ = A x; returns x . A x.
+  double multiply(const PoissonSystem& system, const Field& x);
+
   Field residual_;
   Field z_;
   Field direction_;
-  Field product_;
+  Field product_;  ///< A times the guess, then A times the direction
   BlockSum block_sum_;
 };
+
+inline double ConjugateGradients::multiply(const PoissonSystem& system, const Field& x) {
+  return block_sum_(x.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      product_[i] = row_product(system, x, i);
+      sum += x[i] * product_[i];
+    }
+    return sum;
+  });
+}
 
 // Each loop does all that can be done while its data are at hand.
 template <class Prepare, class Precondition>
@@ -41,14 +55,7 @@ SolveReport ConjugateGradients::operator()(const PoissonSystem& system, Field& p
   Timer solve(report.solve_s);
   const double pb = dot(p, system.rhs, block_sum_);
   const double bb = dot(system.rhs, system.rhs, block_sum_);
-  const double pap = block_sum_(n, [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t i = begin; i < end; ++i) {
-      product_[i] = row_product(system, p, i);
-      sum += p[i] * product_[i];
-    }
-    return sum;
-  });
+  const double pap = multiply(system, p);
   // The multiple of the guess that is nearest to the solution in the energy norm: a pressure of the
   // step before may be far too large where the time step has changed.
   const double scale = pap > 0.0 ? pb / pap : 0.0;
@@ -72,14 +79,7 @@ SolveReport ConjugateGradients::operator()(const PoissonSystem& system, Field& p
   Timer iterate(report.solve_s);
   double rz = precondition(residual_, direction_);
   while (report.iterations < max_iterations) {
-    const double curvature = block_sum_(n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0.0;
-      for (std::size_t i = begin; i < end; ++i) {
-        product_[i] = row_product(system, direction_, i);
-        sum += direction_[i] * product_[i];
-      }
-      return sum;
-    });
+    const double curvature = multiply(system, direction_);
     if (!(curvature > 0.0)) {
       throw Error("pressure: the equations are not positive definite, as far as rounding can tell");
     }

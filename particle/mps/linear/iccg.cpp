@@ -55,9 +55,9 @@ void Iccg::factorise(const PoissonSystem& system) {
 
 double Iccg::apply(const Field& r, Field& z) {
   const auto n = static_cast<Eigen::Index>(r.size());
-  const Eigen::Map<const Eigen::VectorXd> from(r.data(), n);
-  Eigen::Map<Eigen::VectorXd>(z.data(), n) =
-      factor_.solve(from.cast<float>()).template cast<double>();
+  single_r_ = Eigen::Map<const Eigen::VectorXd>(r.data(), n).cast<float>();
+  single_z_ = factor_.solve(single_r_);
+  Eigen::Map<Eigen::VectorXd>(z.data(), n) = single_z_.cast<double>();
   return dot(r, z, block_sum_);
 }
 

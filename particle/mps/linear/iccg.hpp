@@ -28,6 +28,8 @@ class Iccg {
 
   Eigen::SparseMatrix<float, Eigen::ColMajor, int> lower_;
   Preconditioner factor_;
+  Eigen::VectorXf single_r_;
+  Eigen::VectorXf single_z_;
   ConjugateGradients cg_;
   BlockSum block_sum_;
 };
