@@ -82,7 +82,7 @@ enum class SourceKind { openfoam, particle_run, particle_series };
 
 /// One source: an OpenFOAM case, a run folder of surge-particle, or any series of VTK particle
 /// files.
-struct Run {
+struct Run {         // NOLINT(bugprone-exception-escape): what json destroys throws nothing
   std::string name;  ///< of its folder
   std::filesystem::path path;
   SourceKind kind = SourceKind::particle_run;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "particle/support/error.hpp"
 
@@ -88,7 +89,7 @@ class SeriesParser {
   std::string take(const std::string& key) {
     const auto entry = header_.find(key);
     if (entry == header_.end()) fail("header", "no \"# " + key + ":\"", "one");
-    const std::string value = entry->second;
+    std::string value = std::move(entry->second);
     header_.erase(entry);
     return value;
   }

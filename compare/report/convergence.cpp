@@ -61,6 +61,7 @@ struct Followed {
 std::vector<Followed> followed(const StudyResult& study, const Sequence& sequence,
                                const RunResult* finest) {
   std::vector<Followed> all;
+  all.reserve(std::size(convergence_times) + 2);
   for (const double t : convergence_times)
     all.push_back({"Z_over_L_at_T_" + fixed_text(t, 2), "Z/L at T = " + fixed_text(t, 2), {}});
   all.push_back({"impact_time_s", "Impact, s", {}});

@@ -35,7 +35,7 @@ std::vector<Comparison> compare_whole_runs(const StudyResult& study, const json&
   for (const auto& [name, unit, pointer] :
        {std::tuple{"per step", "ms per step, ", "/ms_per_step"},
         std::tuple{"per simulated second", "s per simulated s, ", "/s_per_simulated_s"}}) {
-    const auto value = [&](const RunResult& run) {
+    const auto value = [&, pointer = pointer](const RunResult& run) {
       return number_of(metrics, "cost", run, pointer);
     };
     add_evidence(claim, unit, mps, value);

@@ -54,7 +54,7 @@ json report_metrics(const StudyResult& study) {
 }
 
 json write_report(const StudyResult& study, const fs::path& out, std::string& warnings) {
-  const json numbers = report_metrics(study);
+  json numbers = report_metrics(study);
   const fs::path folder = out / "figures";
   fs::create_directories(folder);
   const std::vector<Figure> figures = figures_of(study);

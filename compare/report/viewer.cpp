@@ -115,7 +115,7 @@ LineStyle style_of(const StudyResult& study, const RunResult* shown) {
   return shown == &study.reference() ? reference_style() : run_style(index);
 }
 
-struct Shown {
+struct Shown {  // NOLINT(bugprone-exception-escape): what json destroys throws nothing
   json run;
   json surface;
   double height = 0.0;  ///< that the water needs, over L

@@ -117,7 +117,7 @@ void add_tank(Particles<D>& p, const Tank& tank, double l0, int layers) {
     for (int a = 0; a < D; ++a) {
       const int below = -k[a];
       const int above = k[a] - n[a] + 1;
-      const auto side = static_cast<std::size_t>(2 * a);
+      const std::size_t side = 2 * static_cast<std::size_t>(a);
       if ((below > 0 && tank.open[side]) || (above > 0 && tank.open[side + 1])) return;
       layer = std::max({layer, below, above});
     }

@@ -41,7 +41,7 @@ bool WallCollision<D>::keep_in_tank(Vec<D>& end, Vec<D>& velocity) const {
   bool met = false;
   for (int a = 0; a < D; ++a) {
     if (tank_.periodic[a]) continue;
-    const auto side = static_cast<std::size_t>(2 * a);
+    const std::size_t side = 2 * static_cast<std::size_t>(a);
     const double lower = tank_.box.lower[a] + distance_;
     const double upper = tank_.box.upper[a] - distance_;
     // The tank is convex, so a path from inside has crossed a wall just when its end lies beyond.
@@ -114,7 +114,7 @@ template <int D>
 bool WallCollision<D>::is_solid(const Vec<D>& x) const {
   for (int a = 0; has_tank_ && a < D; ++a) {
     if (tank_.periodic[a]) continue;
-    const auto side = static_cast<std::size_t>(2 * a);
+    const std::size_t side = 2 * static_cast<std::size_t>(a);
     if (x[a] < tank_.box.lower[a] && !tank_.open[side]) return true;
     if (x[a] > tank_.box.upper[a] && !tank_.open[side + 1]) return true;
   }

@@ -5,8 +5,8 @@ namespace surge {
 namespace {
 
 // A signal handler can reach nothing but a global.
-volatile std::sig_atomic_t received =
-    0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+volatile std::sig_atomic_t received = 0;
 
 extern "C" void note_signal(int) {
   received = 1;

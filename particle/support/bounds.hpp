@@ -30,6 +30,8 @@ struct Named {
   std::string_view name;
   E value;
 };
+template <class E>
+Named(const char*, E) -> Named<E>;
 
 /// The shortest text that reads back as the same number.
 [[nodiscard]] std::string number_text(double value);

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "particle/support/bounds.hpp"
@@ -64,7 +65,7 @@ class TomlTable {
     return has(key) ? boolean(key) : otherwise;
   }
   [[nodiscard]] std::string text_or(std::string_view key, std::string otherwise) const {
-    return has(key) ? text(key) : otherwise;
+    return has(key) ? text(key) : std::move(otherwise);
   }
   [[nodiscard]] std::optional<TomlTable> optional_table(std::string_view key) const {
     return has(key) ? std::optional(table(key)) : std::nullopt;
@@ -74,6 +75,7 @@ class TomlTable {
   template <class Names>
   [[nodiscard]] auto enumerator(std::string_view key, const Names& names) const {
     std::vector<std::string_view> texts;
+    texts.reserve(names.size());
     for (const auto& entry : names) texts.push_back(entry.name);
     return names[choice(key, texts)].value;
   }

@@ -166,7 +166,8 @@ void GridMultigrid<D>::galerkin(const GridLevel<D>& fine, GridLevel<D>& coarse) 
       if (i < 0) continue;
       const std::array<int, D> to_child = offset_of<D>(o);
       for (int s = 0; s < stencil; ++s) {
-        const auto entry = static_cast<std::size_t>(i * stencil + s);
+        const std::size_t entry =
+            static_cast<std::size_t>(i) * stencil + static_cast<std::size_t>(s);
         float a_ij = s == centre ? fine.diagonal[static_cast<std::size_t>(i)] : fine.value[entry];
         if (a_ij == 0.0F) continue;
         for (const int step : to_child) a_ij *= step != 0 ? 0.5F : 1.0F;

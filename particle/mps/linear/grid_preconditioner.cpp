@@ -213,7 +213,7 @@ void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const 
 #pragma omp parallel for schedule(static)
   for (std::int32_t cell = 0; cell < cells; ++cell) {
     const auto at = static_cast<std::size_t>(cell);
-    std::array<float, corners * corners> sum{};
+    Element sum{};
     for (std::int32_t k = cell_start_[at]; k < cell_start_[at + 1]; ++k) {
       const std::int32_t particle = cell_particle_[static_cast<std::size_t>(k)];
       const auto i = static_cast<std::size_t>(particle);
