@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "compare/commands.hpp"
+#include "compare/commands/commands.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge::compare {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "particle/io/case_checks.hpp"
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_checks.hpp"
+#include "particle/case/case_file.hpp"
 #include "particle/io/options.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/run.hpp"

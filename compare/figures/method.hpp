@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "compare/figures/figures.hpp"
-#include "compare/method_sheet.hpp"
+#include "compare/read/method_sheet.hpp"
 
 namespace surge::compare {
 

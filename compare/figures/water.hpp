@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "compare/figures/image.hpp"
-#include "compare/run.hpp"
+#include "compare/read/run.hpp"
 
 namespace surge::compare {
 

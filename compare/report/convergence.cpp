@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/convergence.hpp"
+#include "compare/study/convergence.hpp"
 #include "compare/figures/table.hpp"
-#include "compare/quantities.hpp"
+#include "compare/study/quantities.hpp"
 
 namespace surge::compare {
 

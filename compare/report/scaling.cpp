@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "compare/scaling.hpp"
+#include "compare/study/scaling.hpp"
 
 namespace surge::compare {
 

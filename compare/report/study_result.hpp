@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/flow_pattern.hpp"
-#include "compare/metrics.hpp"
-#include "compare/series.hpp"
-#include "compare/study.hpp"
+#include "compare/measure/flow_pattern.hpp"
+#include "compare/study/metrics.hpp"
+#include "compare/reference/series.hpp"
+#include "compare/study/study.hpp"
 #include "compare/verification/flows.hpp"
 
 namespace surge::compare {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/report/study_result.hpp"
-#include "compare/wall_pressure.hpp"
+#include "compare/measure/wall_pressure.hpp"
 
 namespace surge::compare {
 

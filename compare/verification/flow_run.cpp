@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "compare/readers.hpp"
+#include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/run.hpp"
+#include "compare/read/run.hpp"
 
 namespace surge::compare {
 

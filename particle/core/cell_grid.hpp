@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "particle/core/particles.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "particle/core/particles.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

@@ -3,7 +3,7 @@
 #include <ctime>
 #include <fstream>
 
-#include "particle/io/case_json.hpp"
+#include "particle/case/case_json.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge {

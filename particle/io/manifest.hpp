@@ -6,7 +6,7 @@
 
 #include "particle/core/clock.hpp"
 #include "particle/core/step_report.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

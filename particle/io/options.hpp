@@ -5,7 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 #include "particle/support/toml.hpp"
 
 namespace surge {

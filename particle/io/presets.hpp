@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

@@ -7,7 +7,7 @@
 #include "particle/core/for_each_cell.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_file.hpp"
 #include "particle/io/interrupt.hpp"
 #include "particle/io/method_sheet.hpp"
 #include "particle/io/run_folder.hpp"

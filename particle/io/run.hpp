@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 #include "particle/io/run_loop.hpp"
 
 namespace surge {

@@ -6,7 +6,7 @@
 
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/solver.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 #include "particle/io/frame_queue.hpp"
 #include "particle/io/manifest.hpp"
 #include "particle/io/probes.hpp"

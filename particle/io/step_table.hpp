@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "particle/core/step_report.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 
 namespace surge {
 

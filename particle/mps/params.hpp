@@ -1,5 +1,7 @@
 #pragma once
 
+#include "particle/linear/pressure_solver.hpp"
+
 namespace surge::mps {
 
 /// What lambda of the Laplacian model, Eq. (7), is set to.
@@ -9,11 +11,7 @@ enum class Lambda {
   lattice    ///< the sum over the initial lattice
 };
 
-enum class PpeSolver {
-  iccg,      ///< conjugate gradients with incomplete Cholesky (Eigen), the paper's
-  cholmod,   ///< supernodal sparse Cholesky (SuiteSparse)
-  multigrid  ///< conjugate gradients with a multigrid on a background grid
-};
+using PpeSolver = linear::Solver;
 
 enum class NegativePressure {
   keep,

@@ -5,7 +5,7 @@
 namespace surge::mps {
 
 template <int D>
-const PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
+const linear::PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
                                                   const NeighbourList<D>& list,
                                                   const Displacement<D>& displacement,
                                                   const AlignedVector<std::int32_t>& unknown,

@@ -3,7 +3,7 @@
 #include "particle/core/balanced_loop.hpp"
 #include "particle/core/neighbour_list.hpp"
 #include "particle/kernel/mps_weight.hpp"
-#include "particle/mps/poisson_system.hpp"
+#include "particle/linear/poisson_system.hpp"
 
 namespace surge::mps {
 
@@ -30,11 +30,11 @@ class PoissonAssembly {
   }
 
   /// Fills rows, coordinates and diagonal. The right side is left to the caller (rhs[unknown[i]]).
-  const PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
+  const linear::PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
                                 const Displacement<D>& displacement,
                                 const AlignedVector<std::int32_t>& unknown, std::size_t unknowns);
 
-  [[nodiscard]] PoissonSystem& system() { return system_; }
+  [[nodiscard]] linear::PoissonSystem& system() { return system_; }
 
   /// What a pair of neighbours at the distance r (m) adds to the equations, 1/m^2, as it is stored.
   [[nodiscard]] float coupling(double r) const {
@@ -51,7 +51,7 @@ class PoissonAssembly {
   double re_;
   double factor_;
   bool walls_couple_;
-  PoissonSystem system_;
+  linear::PoissonSystem system_;
   BalancedLoop loop_;
 };
 

@@ -85,7 +85,8 @@ Solver<D>::Solver(const Case& c)
       periodicity_(periodicity_of<D>(c)),
       assembly_(re_laplacian_, laplacian_factor_, c.spacing,
                 params_.wall_coupling == WallCoupling::all),
-      pressure_solver_(params_) {
+      pressure_solver_({params_.ppe_solver, params_.ppe_tolerance,
+                        params_.ppe_max_iterations, params_.re_laplacian}) {
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   const Point still = still_gravity(c);
@@ -446,7 +447,7 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const auto scope = clock_.measure(Phase::pressure);
   const Displacement<D> displacement(p_.x, periodicity_);
   assembly_.assemble(p_, list_, displacement, unknown_, unknowns_);
-  PoissonSystem& system = assembly_.system();
+  linear::PoissonSystem& system = assembly_.system();
   unknown_pressure_.resize(unknowns_);
   const auto n = static_cast<std::ptrdiff_t>(p_.size());
   loop_.each(p_.size(), [&](std::size_t i) {
@@ -455,7 +456,7 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
     system.rhs[row] = source(i, dt, displacement);
     unknown_pressure_[row] = p_.pressure[i];
   });
-  const SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
+  const linear::SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
   report.ppe_setup_s = solve.setup_s;

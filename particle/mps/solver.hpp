@@ -7,11 +7,11 @@
 #include "particle/core/particles.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/io/case.hpp"
+#include "particle/case/case.hpp"
 #include "particle/mps/collision.hpp"
 #include "particle/mps/free_surface.hpp"
 #include "particle/mps/pressure_poisson.hpp"
-#include "particle/mps/pressure_solver.hpp"
+#include "particle/linear/pressure_solver.hpp"
 
 namespace surge::mps {
 
@@ -37,7 +37,7 @@ class Solver {
   [[nodiscard]] double radius() const { return re_; }
   [[nodiscard]] double laplacian_radius() const { return re_laplacian_; }
   /// The pressure equation of the last step.
-  [[nodiscard]] const PoissonSystem& system() { return assembly_.system(); }
+  [[nodiscard]] const linear::PoissonSystem& system() { return assembly_.system(); }
 
  private:
   // The first line of the comment on a function that step() calls is its box in the flowchart.
@@ -128,7 +128,7 @@ class Solver {
   Periodicity<D> periodicity_;
   NeighbourList<D> list_;
   PoissonAssembly<D> assembly_;
-  PressureSolver pressure_solver_;
+  linear::PressureSolver pressure_solver_;
   BalancedLoop loop_;
 
   double time_ = 0.0;

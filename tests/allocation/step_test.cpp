@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_file.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "particle/core/particles.hpp"
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_file.hpp"
 
 namespace surge::benchmarks {
 

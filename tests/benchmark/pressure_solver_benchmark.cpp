@@ -8,10 +8,10 @@
 #include <map>
 #include <random>
 
-#include "particle/mps/pressure_solver.hpp"
-#include "tests/mps/poisson_fixture.hpp"
+#include "particle/linear/pressure_solver.hpp"
+#include "tests/linear/poisson_fixture.hpp"
 
-namespace surge::mps {
+namespace surge::linear {
 namespace {
 
 const PoissonSystem& column_of(std::int64_t unknowns) {
@@ -47,10 +47,10 @@ void product(benchmark::State& state) {
   count_unknowns(state, system.size());
 }
 
-void solve(benchmark::State& state, PpeSolver method) {
+void solve(benchmark::State& state, Solver method) {
   const PoissonSystem& system = column_of(state.range(0));
   Params params;
-  params.ppe_solver = method;
+  params.solver = method;
   SolveReport report;
   for (auto _ : state) {
     state.PauseTiming();
@@ -72,20 +72,20 @@ constexpr std::int64_t largest = 1000000;
 
 BENCHMARK(product)->Arg(smallest)->Arg(middle)->Arg(large)->Arg(largest)->UseRealTime()->Unit(
     benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve, multigrid, PpeSolver::multigrid)
+BENCHMARK_CAPTURE(solve, multigrid, Solver::multigrid)
     ->Arg(smallest)
     ->Arg(middle)
     ->Arg(large)
     ->Arg(largest)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve, iccg, PpeSolver::iccg)
+BENCHMARK_CAPTURE(solve, iccg, Solver::iccg)
     ->Arg(smallest)
     ->Arg(middle)
     ->Arg(large)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve, cholmod, PpeSolver::cholmod)
+BENCHMARK_CAPTURE(solve, cholmod, Solver::cholmod)
     ->Arg(smallest)
     ->Arg(middle)
     ->Arg(large)
@@ -93,6 +93,6 @@ BENCHMARK_CAPTURE(solve, cholmod, PpeSolver::cholmod)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace surge::mps
+}  // namespace surge::linear
 
 BENCHMARK_MAIN();

@@ -159,7 +159,7 @@ void mps_step(benchmark::State& state, mps::PpeSolver solver) {
   const double pairs =
       count_pairs(p, radius, [](ParticleType type) { return type != ParticleType::dummy; });
   const double per_particle = pairs / static_cast<double>(p.size());
-  const mps::PoissonSystem& system = flow.solver.system();
+  const linear::PoissonSystem& system = flow.solver.system();
   state.counters["pairs/particle"] = per_particle;
   state.counters["pairs/s"] = rate * per_particle;
   state.counters["iterations"] = flow.report.ppe_iterations;

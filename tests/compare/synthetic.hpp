@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/front.hpp"
-#include "compare/metrics.hpp"
-#include "compare/run.hpp"
+#include "compare/measure/front.hpp"
+#include "compare/study/metrics.hpp"
+#include "compare/read/run.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare::testing {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "compare/report/study_result.hpp"
-#include "synthetic.hpp"
+#include "tests/compare/synthetic.hpp"
 
 namespace surge::compare::testing {
 

@@ -8,7 +8,7 @@
 #include <latch>
 
 #include "particle/support/error.hpp"
-#include "tests/io/case_fixture.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

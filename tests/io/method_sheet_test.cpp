@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "tests/io/case_fixture.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

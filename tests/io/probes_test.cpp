@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "tests/io/case_fixture.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "particle/io/case_json.hpp"
-#include "tests/io/case_fixture.hpp"
+#include "particle/case/case_json.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "tests/io/case_fixture.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

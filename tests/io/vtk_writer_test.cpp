@@ -10,7 +10,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include "particle/support/error.hpp"
-#include "tests/io/case_fixture.hpp"
+#include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {

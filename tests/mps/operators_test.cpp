@@ -429,7 +429,7 @@ TEST(PoissonAssembly, RoundedWeightsLeaveNoExcess) {
     unknown[i] = i == lattice.middle ? -1 : static_cast<std::int32_t>(i - (i > lattice.middle));
   const Displacement<2> displacement(p.x, {});
   PoissonAssembly<2> assembly(re, factor, l0);
-  const PoissonSystem& system =
+  const linear::PoissonSystem& system =
       assembly.assemble(p, lattice.list, displacement, unknown, p.size() - 1);
   Field excess;
   compute_excess(system, excess);

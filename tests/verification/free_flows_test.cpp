@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/verification/exact.hpp"
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_file.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
 

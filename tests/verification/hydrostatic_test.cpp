@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "particle/io/case_file.hpp"
+#include "particle/case/case_file.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
 

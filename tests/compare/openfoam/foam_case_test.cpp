@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "../synthetic.hpp"
-#include "compare/readers.hpp"
+#include "compare/read/readers.hpp"
 
 namespace surge::compare {
 namespace {

@@ -1,0 +1,59 @@
+#include <cstdio>
+#include <memory>
+
+#include "compare/commands/command_options.hpp"
+#include "compare/commands/commands.hpp"
+#include "compare/measure/front.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+namespace {
+
+struct Arguments {
+  std::string source;
+  std::string out;
+  std::string study;
+  SourceArguments files;
+  FrontArguments front;
+};
+
+void run_front(const Arguments& arguments) {
+  std::optional<Study> study;
+  if (!arguments.study.empty()) study = read_study(arguments.study);
+  const FrontOptions options = arguments.front.get(study);
+  Run run = open_run(arguments.source, arguments.files.get());
+  const FrontHistory history = measure_front(run, options);
+  write_front_csv(arguments.out, history, run.physics.scales());
+  const std::size_t frames = run.frames->times().size();
+  std::printf("%s: %zu frames, L = %g m, strip %g m: %s\n", run.name.c_str(), history.size(),
+              run.physics.column_width().value(), options.strip_height.value(),
+              arguments.out.c_str());
+  if (history.size() < frames) {
+    std::printf("%s: no leading edge from %g s on (%zu frames left out)\n", run.name.c_str(),
+                run.frames->times()[history.size()].value(), frames - history.size());
+  }
+}
+
+}  // namespace
+
+void add_front_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("front", "Leading edge of one source over time, as CSV");
+  command
+      ->add_option("SOURCE", arguments->source,
+                   "run folder, OpenFOAM case, .pvd, folder or \"pattern_*.vtk\" of particle files")
+      ->required();
+  command->add_option("--out", arguments->out, "file to write: time_s,T,Z_over_L")->required();
+  command->add_option("--study", arguments->study, "study (TOML) that states the strip's height");
+  arguments->front.add_to(*command);
+  arguments->files.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  surge-compare front runs/mps-paper-0.005 --out mps.csv\n"
+      "  surge-compare front foam_cases/damBreak2D --out vof.csv --strip-height 0.015\n"
+      "  surge-compare front 'out/fluid_*.vtk' --out dsph.csv --spacing 0.005 --gravity 9.81 "
+      "--time-step 0.01");
+  command->callback([arguments] { run_front(*arguments); });
+}
+
+}  // namespace surge::compare

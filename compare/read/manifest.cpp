@@ -1,0 +1,103 @@
+#include <cmath>
+#include <fstream>
+
+#include "compare/read/readers.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A JSON value with its place, every access checked.
+class Entry {
+ public:
+  Entry(const json& value, std::string place) : value_(value), place_(std::move(place)) {}
+
+  [[nodiscard]] bool has(const std::string& key) const {
+    return value_.is_object() && value_.contains(key);
+  }
+
+  [[nodiscard]] Entry at(const std::string& key) const {
+    if (!has(key)) fail_at(key, "nothing", "an entry");
+    return {value_.at(key), place_ + (place_.back() == ':' ? " " : ".") + key};
+  }
+
+  [[nodiscard]] Entry at(std::size_t i) const {
+    if (!value_.is_array() || value_.size() <= i)
+      fail("an array of at least " + std::to_string(i + 1));
+    return {value_.at(i), place_ + "." + std::to_string(i)};
+  }
+
+  [[nodiscard]] double number() const {
+    if (!value_.is_number() || !std::isfinite(value_.get<double>())) fail("a finite number");
+    return value_.get<double>();
+  }
+
+  [[nodiscard]] std::string text() const {
+    if (!value_.is_string()) fail("a text");
+    return value_.get<std::string>();
+  }
+
+  [[nodiscard]] Vec3 vector() const { return {at(0).number(), at(1).number(), at(2).number()}; }
+
+  [[nodiscard]] Extent extent() const { return {at("lower").vector(), at("upper").vector()}; }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    throw Error(place_ + ": " + value_.dump() + " found, " + expected + " expected");
+  }
+
+ private:
+  [[noreturn]] void fail_at(const std::string& key, const std::string& found,
+                            const std::string& expected) const {
+    throw Error(place_ + (place_.back() == ':' ? " " : ".") + key + ": " + found + " found, " +
+                expected + " expected");
+  }
+
+  const json& value_;
+  std::string place_;
+};
+
+}  // namespace
+
+json read_json(const fs::path& file) {
+  std::ifstream in(file);
+  if (!in) throw Error(file.string() + ": cannot be opened, a JSON file expected");
+  try {
+    return json::parse(in);
+  } catch (const json::parse_error& error) {
+    throw Error(file.string() + ": not JSON: " + error.what());
+  }
+}
+
+void apply_manifest(Run& run, const fs::path& file) {
+  run.manifest = read_json(file);
+  const Entry root(run.manifest, file.string() + ":");
+  const Entry stated = root.at("case");
+  const Entry method = stated.at("method");
+  run.method = method.at("name").text();
+  run.preset = method.at("preset").text();
+  Physics& physics = run.physics;
+  physics.dimension = static_cast<int>(stated.at("dimension").number());
+  if (physics.dimension != 2 && physics.dimension != 3) stated.at("dimension").fail("2 or 3");
+  const Entry fluid = stated.at("fluid");
+  physics.gravity = fluid.at("gravity").vector();
+  physics.density = fluid.at("density").number();
+  physics.kinematic_viscosity = fluid.at("kinematic_viscosity").number();
+  physics.column = stated.at("blocks").at(0).extent();
+  if (stated.has("tank")) {
+    physics.tank = stated.at("tank").extent();
+    if (stated.at("tank").has("wall")) physics.wall = stated.at("tank").at("wall").text();
+  }
+  if (stated.has("cells_per_L")) {
+    run.cells_per_width = stated.at("cells_per_L").number();
+    if (*run.cells_per_width <= 0.0) stated.at("cells_per_L").fail("a positive number");
+    run.spacing = Metres(physics.column_width().value() / *run.cells_per_width);
+  } else {
+    run.spacing = Metres(stated.at("spacing").number());
+    if (run.spacing <= Metres(0.0)) stated.at("spacing").fail("a positive length");
+  }
+}
+
+}  // namespace surge::compare

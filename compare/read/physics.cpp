@@ -1,0 +1,158 @@
+#include "compare/read/physics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+namespace {
+
+constexpr const char* known_keys[] = {"dimension",     "gravity",    "column-width",
+                                      "column-height", "tank-width", "tank-height",
+                                      "density",       "viscosity",  "wall"};
+
+/// Collects differences between two named sides.
+class Comparer {
+ public:
+  Comparer(std::string name_a, std::string name_b)
+      : name_a_(std::move(name_a)), name_b_(std::move(name_b)) {}
+
+  void number(const std::string& key, const std::string& unit, std::optional<double> a,
+              std::optional<double> b, double tolerance) {
+    if (!stated(a) || !stated(b)) {
+      result_.not_stated.push_back(key);
+    } else if (std::abs(*a - *b) > tolerance) {
+      differ(key, text(*a) + unit, text(*b) + unit);
+    }
+  }
+
+  void word(const std::string& key, const std::optional<std::string>& a,
+            const std::optional<std::string>& b) {
+    if (!a || !b) {
+      result_.not_stated.push_back(key);
+    } else if (*a != *b) {
+      differ(key, *a, *b);
+    }
+  }
+
+  void differ(const std::string& key, const std::string& a, const std::string& b) {
+    result_.differences.push_back(
+        {key, key + ": " + a + " in " + name_a_ + ", " + b + " in " + name_b_});
+  }
+
+  static std::string text(double value) {
+    std::ostringstream out;
+    out.precision(9);
+    out << value;
+    return out.str();
+  }
+
+  [[nodiscard]] PhysicsComparison result() const { return result_; }
+
+ private:
+  static bool stated(std::optional<double> value) { return value && std::isfinite(*value); }
+
+  std::string name_a_;
+  std::string name_b_;
+  PhysicsComparison result_;
+};
+
+double relative(double a, double b) {
+  return 1e-6 * std::max(std::abs(a), std::abs(b));
+}
+
+std::optional<double> tank_height(const Physics& p, int up) {
+  if (!p.tank) return std::nullopt;
+  const auto axis = static_cast<std::size_t>(up);
+  return p.tank->upper[axis] - p.tank->lower[axis];
+}
+
+std::optional<double> far_wall_metres(const Physics& p) {
+  const std::optional<Metres> far = p.far_wall();
+  return far ? std::optional(far->value()) : std::nullopt;
+}
+
+}  // namespace
+
+double Physics::gravity_magnitude() const {
+  return std::hypot(gravity[0], gravity[1], gravity[2]);
+}
+
+int Physics::vertical_axis() const {
+  const double g = gravity_magnitude();
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    if (g > 0.0 && -gravity[axis] >= (1.0 - 1e-9) * g) return static_cast<int>(axis);
+  }
+  throw Error("gravity: (" + Comparer::text(gravity[0]) + " " + Comparer::text(gravity[1]) + " " +
+              Comparer::text(gravity[2]) +
+              ") found, a vector along -y or -z expected (the leading edge runs along x)");
+}
+
+Metres Physics::column_width() const {
+  return Metres(column.upper[0] - column.lower[0]);
+}
+
+Scales Physics::scales() const {
+  return {column_width(), gravity_magnitude()};
+}
+
+double Physics::floor() const {
+  const auto up = static_cast<std::size_t>(vertical_axis());
+  return tank ? tank->lower[up] : column.lower[up];
+}
+
+std::optional<Metres> Physics::far_wall() const {
+  if (!tank || !std::isfinite(tank->upper[0])) return std::nullopt;
+  return Metres(tank->upper[0] - column.lower[0]);
+}
+
+PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, const Physics& b,
+                                  const std::string& name_b) {
+  Comparer compare(name_a, name_b);
+  if (a.dimension != b.dimension) {
+    compare.differ("dimension", std::to_string(a.dimension) + "D",
+                   std::to_string(b.dimension) + "D");
+  }
+  const double g_a = a.gravity_magnitude();
+  const double g_b = b.gravity_magnitude();
+  compare.number("gravity", " m/s2", g_a, g_b, relative(g_a, g_b));
+  const int up_a = a.vertical_axis();
+  const int up_b = b.vertical_axis();
+  const double length_tolerance =
+      1e-3 * std::max(a.column_width().value(), b.column_width().value());
+  compare.number("column-width", " m", a.column_width().value(), b.column_width().value(),
+                 length_tolerance);
+  const auto height = [](const Physics& p, int up) {
+    const auto axis = static_cast<std::size_t>(up);
+    return p.column.upper[axis] - p.column.lower[axis];
+  };
+  compare.number("column-height", " m", height(a, up_a), height(b, up_b), length_tolerance);
+  compare.number("tank-width", " m", far_wall_metres(a), far_wall_metres(b), length_tolerance);
+  compare.number("tank-height", " m", tank_height(a, up_a), tank_height(b, up_b), length_tolerance);
+  compare.number("density", " kg/m3", a.density, b.density,
+                 relative(a.density.value_or(0), b.density.value_or(0)));
+  compare.number("viscosity", " m2/s", a.kinematic_viscosity, b.kinematic_viscosity,
+                 relative(a.kinematic_viscosity.value_or(0), b.kinematic_viscosity.value_or(0)));
+  compare.word("wall", a.wall, b.wall);
+  return compare.result();
+}
+
+void require_same_physics(const PhysicsComparison& comparison,
+                          const std::set<std::string>& allowed) {
+  for (const std::string& key : allowed) {
+    if (std::find(std::begin(known_keys), std::end(known_keys), key) == std::end(known_keys)) {
+      std::string line = "--allow: \"" + key + "\" found, one of";
+      for (const char* known : known_keys) line += std::string(" ") + known;
+      throw Error(line + " expected");
+    }
+  }
+  std::string lines;
+  for (const auto& difference : comparison.differences) {
+    if (!allowed.contains(difference.key)) lines += "\n  " + difference.line;
+  }
+  if (!lines.empty()) throw Error("different physics (accept one with --allow KEY):" + lines);
+}
+
+}  // namespace surge::compare

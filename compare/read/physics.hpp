@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compare/read/units.hpp"
+
+namespace surge::compare {
+
+using Vec3 = std::array<double, 3>;
+
+struct Extent {
+  Vec3 lower{};  ///< m
+  Vec3 upper{};  ///< m
+};
+
+/// What a run computed, as far as its files say so. The column and gravity are always known
+/// (without them there is no Z/L); what a foreign source does not state is empty.
+struct Physics {
+  int dimension = 2;
+  Vec3 gravity{0.0, -9.81, 0.0};              ///< m/s2
+  Extent column;                              ///< the fluid block at time zero; its width is L
+  std::optional<Extent> tank;                 ///< m; an entry that is not known is not finite
+  std::optional<double> density;              ///< of the water, kg/m3
+  std::optional<double> kinematic_viscosity;  ///< of the water, m2/s
+  std::optional<std::string> wall;            ///< "slip" or "no-slip"
+
+  [[nodiscard]] double gravity_magnitude() const;
+  /// Axis (0, 1, 2) that gravity points along; throws surge::Error where it is oblique, zero or
+  /// along x, the direction of the surge.
+  [[nodiscard]] int vertical_axis() const;
+  [[nodiscard]] Metres column_width() const;
+  [[nodiscard]] Scales scales() const;
+  /// Height of the tank's floor (of the column's foot where no tank is known), m.
+  [[nodiscard]] double floor() const;
+  /// Distance of the far wall from the column's wall; empty where no tank is known.
+  [[nodiscard]] std::optional<Metres> far_wall() const;
+};
+
+/// What differs between two runs and which statements could not be compared.
+struct PhysicsComparison {
+  struct Difference {
+    std::string key;   ///< what --allow takes
+    std::string line;  ///< "gravity: 9.81 m/s2 in a, 1.62 m/s2 in b"
+  };
+  std::vector<Difference> differences;
+  std::vector<std::string> not_stated;  ///< keys that one of the two files does not state
+};
+
+/// Keys: dimension, gravity, column-width, column-height, tank-width, tank-height, density,
+/// viscosity, wall. Lengths agree within 0.1 % of L, other numbers within 1e-6 relative.
+[[nodiscard]] PhysicsComparison compare_physics(const Physics& a, const std::string& name_a,
+                                                const Physics& b, const std::string& name_b);
+
+/// Throws surge::Error with a line per difference whose key is not in `allowed`, and for a key in
+/// `allowed` that does not exist.
+void require_same_physics(const PhysicsComparison& comparison,
+                          const std::set<std::string>& allowed);
+
+}  // namespace surge::compare

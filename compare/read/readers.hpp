@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/read/run.hpp"
+
+class vtkStringOutputWindow;
+class vtkOutputWindow;
+
+namespace surge::compare {
+
+/// While it lives, what VTK would print goes here, so that check() can make an error of it. VTK's
+/// readers report a broken file in no other way that holds for all of them.
+class VtkErrors {
+ public:
+  VtkErrors();
+  VtkErrors(const VtkErrors&) = delete;
+  VtkErrors& operator=(const VtkErrors&) = delete;
+  ~VtkErrors();
+  /// Throws surge::Error `file: message` if VTK reported an error.
+  void check(const std::filesystem::path& file) const;
+
+ private:
+  vtkSmartPointer<vtkStringOutputWindow> window_;
+  vtkSmartPointer<vtkOutputWindow> previous_;
+};
+
+/// Files that make up one time of a series.
+struct SeriesEntry {
+  std::optional<Seconds> time;  ///< as a collection (.pvd) gives it
+  std::vector<std::filesystem::path> files;
+};
+
+/// The entries of a .pvd, of a folder of numbered .vtp/.vtu/.vtk files, or of a pattern with `*`.
+[[nodiscard]] std::vector<SeriesEntry> list_series(const std::filesystem::path& path);
+
+/// Reader of particle files: only the points and the arrays that are asked for are read.
+[[nodiscard]] std::unique_ptr<FrameReader> open_particle_series(std::vector<SeriesEntry> entries,
+                                                                const SourceOptions& options);
+
+/// Reader of an OpenFOAM case, serial or decomposed (whichever holds more times).
+[[nodiscard]] std::unique_ptr<FrameReader> open_foam_case(const std::filesystem::path& folder,
+                                                          const SourceOptions& options);
+
+/// A JSON file; throws surge::Error with the place of a syntax error.
+[[nodiscard]] nlohmann::json read_json(const std::filesystem::path& file);
+
+/// Fills name, method, preset, spacing and physics of a run from its manifest (both programs write
+/// the same keys). Throws surge::Error naming a key that is missing or of the wrong kind.
+void apply_manifest(Run& run, const std::filesystem::path& file);
+
+/// The same for an OpenFOAM case without a manifest: constant/g, constant/transportProperties, the
+/// mesh and the volume fraction at time zero.
+void apply_foam_case(Run& run, const SourceOptions& options);
+
+}  // namespace surge::compare

@@ -1,0 +1,32 @@
+#include <vtkLogger.h>
+#include <vtkStringOutputWindow.h>
+
+#include "compare/read/readers.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+
+VtkErrors::VtkErrors()
+    : window_(vtkSmartPointer<vtkStringOutputWindow>::New()),
+      previous_(vtkOutputWindow::GetInstance()) {
+  vtkOutputWindow::SetInstance(window_);
+  // VTK logs to stderr besides; its errors become ours, so that they are printed once.
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+}
+
+VtkErrors::~VtkErrors() {
+  vtkOutputWindow::SetInstance(previous_);
+}
+
+void VtkErrors::check(const std::filesystem::path& file) const {
+  const std::string text = window_->GetOutput();
+  const auto start = text.find("ERROR");
+  if (start == std::string::npos) return;
+  // "ERROR: In <source file>, line <n>\n<class> (<address>): <message>\n\n"
+  auto message = text.find("): ", start);
+  message = message == std::string::npos ? start : message + 3;
+  throw Error(file.string() +
+              ": cannot be read: " + text.substr(message, text.find('\n', message) - message));
+}
+
+}  // namespace surge::compare

@@ -1,0 +1,154 @@
+#include "compare/reference/series.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+namespace {
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// One published file while it is read; knows its place for errors.
+class SeriesParser {
+ public:
+  explicit SeriesParser(const std::filesystem::path& file) : file_(file), in_(file) {
+    if (!in_) throw Error(file.string() + ": cannot be opened, a published series (CSV) expected");
+  }
+
+  PublishedSeries parse() {
+    std::string line;
+    bool titled = false;
+    while (std::getline(in_, line)) {
+      ++line_;
+      line = trim(line);
+      if (line.empty()) continue;
+      if (line[0] == '#') {
+        header(line);
+      } else if (!titled) {
+        if (line != "T,Z_over_L") fail("column names", "\"" + line + "\"", "T,Z_over_L");
+        titled = true;
+      } else {
+        row(line);
+      }
+    }
+    if (series_.front.samples.size() < 2)
+      fail("rows", std::to_string(series_.front.samples.size()), "at least 2");
+    return finish();
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& key, const std::string& found,
+                         const std::string& expected) const {
+    throw Error(file_.string() + ":" + std::to_string(line_) + ": " + key + ": " + found +
+                " found, " + expected + " expected");
+  }
+
+  void header(const std::string& line) {
+    const auto colon = line.find(':');
+    if (colon == std::string::npos) fail("header", "\"" + line + "\"", "\"# key: value\"");
+    const std::string key = trim(line.substr(1, colon - 1));
+    const std::string value = trim(line.substr(colon + 1));
+    if (value.empty()) fail(key, "nothing", "a value");
+    if (!header_.emplace(key, value).second) fail(key, "a second line", "one");
+  }
+
+  double number(const std::string& key, const std::string& text) const {
+    double value = 0.0;
+    const std::string trimmed = trim(text);
+    const auto [end, error] =
+        std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
+    if (error != std::errc{} || end != trimmed.data() + trimmed.size() || !std::isfinite(value)) {
+      fail(key, "\"" + text + "\"", "a finite number");
+    }
+    return value;
+  }
+
+  void row(const std::string& line) {
+    const auto comma = line.find(',');
+    if (comma == std::string::npos || line.find(',', comma + 1) != std::string::npos) {
+      fail("row", "\"" + line + "\"", "two numbers");
+    }
+    const DimensionlessFront::Sample sample{
+        DimensionlessTime(number("T", line.substr(0, comma))),
+        DimensionlessLength(number("Z_over_L", line.substr(comma + 1)))};
+    auto& samples = series_.front.samples;
+    if (!samples.empty() && sample.time <= samples.back().time)
+      fail("T", line.substr(0, comma), "a later time");
+    samples.push_back(sample);
+  }
+
+  std::string take(const std::string& key) {
+    const auto entry = header_.find(key);
+    if (entry == header_.end()) fail("header", "no \"# " + key + ":\"", "one");
+    std::string value = std::move(entry->second);
+    header_.erase(entry);
+    return value;
+  }
+
+  double uncertainty(const std::string& key) {
+    const std::string text = take(key);
+    const double value = number(key, text);
+    if (value < 0.0) fail(key, text, "0 or more");
+    return value;
+  }
+
+  PublishedSeries finish() {
+    series_.name = file_.stem().string();
+    series_.label = take("label");
+    series_.citation = take("citation");
+    series_.column = take("column");
+    const std::string kind = take("kind");
+    if (kind != "experiment" && kind != "computation")
+      fail("kind", kind, "experiment or computation");
+    series_.experiment = kind == "experiment";
+    series_.time_uncertainty = DimensionlessTime(uncertainty("time_uncertainty"));
+    series_.position_uncertainty = DimensionlessLength(uncertainty("position_uncertainty"));
+    header_.erase("note");
+    if (!header_.empty()) {
+      fail(header_.begin()->first, "an unknown key",
+           "label, citation, column, kind, time_uncertainty, position_uncertainty or note");
+    }
+    return series_;
+  }
+
+  std::filesystem::path file_;
+  std::ifstream in_;
+  int line_ = 0;
+  std::map<std::string, std::string> header_;
+  PublishedSeries series_;
+};
+
+}  // namespace
+
+PublishedSeries read_series(const std::filesystem::path& file) {
+  return SeriesParser(file).parse();
+}
+
+void write_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
+               const std::vector<std::vector<double>>& rows) {
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  std::ofstream out(file);
+  for (std::size_t i = 0; i < header.size(); ++i) out << (i > 0 ? "," : "") << header[i];
+  out << '\n';
+  std::array<char, 32> text{};
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto end = std::to_chars(text.data(), text.data() + text.size(), row[i]).ptr;
+      out << (i > 0 ? "," : "") << std::string_view(text.data(), end);
+    }
+    out << '\n';
+  }
+  out.flush();
+  if (!out) throw Error(file.string() + ": cannot be written");
+}
+
+}  // namespace surge::compare

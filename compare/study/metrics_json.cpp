@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/study/metrics.hpp"
+#include "compare/study/quantities.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+namespace {
+
+using nlohmann::json;
+
+json window_json(const Window& window) {
+  return json::array({window.begin.value(), window.end.value()});
+}
+
+json arrival_json(const DimensionlessFront& front) {
+  json arrivals = json::object();
+  for (const double level : arrival_levels) {
+    const auto time = front.arrival(DimensionlessLength(level));
+    arrivals[level_text(level)] = time ? json(time->value()) : json(nullptr);
+  }
+  return arrivals;
+}
+
+/// What one run's files say and its own front, without any comparison.
+json describe(const MeasuredRun& measured, std::size_t frames) {
+  const Run& run = measured.run;
+  json out{{"method", run.method}, {"preset", run.preset}, {"spacing_m", run.spacing.value()}};
+  if (run.cells_per_width) {
+    out.erase("spacing_m");
+    out["cell_m"] = run.spacing.value();
+    out["cells_per_L"] = *run.cells_per_width;
+  }
+  out["frames"] = frames;
+  // Frames after the leading edge was lost, in a run that broke up, are not measured.
+  out["frames_measured"] = measured.history.size();
+  out["finished"] = run.manifest.is_object() && run.manifest.contains("finished")
+                        ? run.manifest["finished"]
+                        : json();
+  for (const char* count : {"lost_particles", "nonfinite"}) {
+    if (run.manifest.is_object() && run.manifest.contains(count)) out[count] = run.manifest[count];
+  }
+  out["arrival_T"] = arrival_json(measured.front);
+  const auto far = run.physics.far_wall();
+  const auto hit = far ? impact(measured.history, *far, run.spacing) : std::nullopt;
+  out["impact_time_s"] = hit ? json(hit->time.value()) : json(nullptr);
+  out["impact_T"] =
+      hit ? json(run.physics.scales().dimensionless(hit->time).value()) : json(nullptr);
+  out["impact_between_s"] =
+      hit ? json::array({hit->before.value(), hit->after.value()}) : json(nullptr);
+  return out;
+}
+
+void add_difference(json& out, const FrontDifference& d, const std::string& against) {
+  out["window_T"] = window_json(d.window);
+  out["rms_vs_" + against] = d.rms;
+  out["max_vs_" + against] = d.maximum;
+  out["max_at_T"] = d.time_of_maximum.value();
+  out["bias_vs_" + against] = d.bias;
+  json arrivals = json::object();
+  for (std::size_t k = 0; k < arrival_levels.size(); ++k) {
+    arrivals[level_text(arrival_levels[k])] =
+        d.arrival[k] ? json(d.arrival[k]->value()) : json(nullptr);
+  }
+  out["arrival_T_difference"] = arrivals;
+}
+
+json statistics_json(const SeriesDifference& d) {
+  return {{"points", d.points}, {"rms", d.rms}, {"max", d.maximum}, {"bias", d.bias}};
+}
+
+json published_json(const MeasuredRun& measured, const std::vector<PublishedSeries>& published,
+                    const MetricsOptions& options) {
+  json out = json::object();
+  for (const PublishedSeries& series : published) {
+    try {
+      const SeriesComparison c =
+          against_series(measured.front, series, wall_rule(measured.run, options.wall_distance));
+      out[series.name] = {{"status", "passed"},
+                          {"raw", statistics_json(c.raw)},
+                          {"shift_T", c.shift.value()},
+                          {"shifted", statistics_json(c.shifted)}};
+    } catch (const Error& error) {
+      out[series.name] = {{"status", "failed"}, {"reason", error.what()}};
+    }
+  }
+  return out;
+}
+
+json timing_json(const Run& run) {
+  json out = json::object();
+  if (!run.manifest.is_object()) return out;
+  const json& manifest = run.manifest;
+  const auto copy = [&](const char* from, const char* to) {
+    if (manifest.contains(from)) out[to] = manifest[from];
+  };
+  if (manifest.contains("wall_s")) {
+    out["phases_s"] = manifest["wall_s"];
+    out["wall_s"] = manifest["wall_s"].value("total", json(nullptr));
+  }
+  copy("steps", "steps");
+  copy("threads", "threads");
+  copy("cpu", "cpu");
+  copy("simulated_s", "simulated_s");
+  copy("cells", "cells");
+  copy("fluid_particles", "particles");
+  copy("wall_particles", "wall_particles");
+  if (!out.contains("particles")) out["particles"] = nullptr;
+  return out;
+}
+
+json definition_json(const std::string& reference, const MetricsOptions& options) {
+  const FrontOptions& front = options.front;
+  return {{"reference", reference},
+          {"strip_height_m", front.strip_height.value()},
+          {"linking_length_spacings", front.linking_length},
+          {"raw_maximum", front.raw_maximum},
+          {"wall_distance_L", options.wall_distance.value()},
+          {"interpolation",
+           "both fronts linear between their own samples; integrals exact on the union of both"},
+          {"arrival_levels", arrival_levels},
+          {"impact", "front within half a spacing (cell) of the far wall, linear between frames"},
+          {"allowed_differences", options.allowed_differences}};
+}
+
+}  // namespace
+
+json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
+             const std::vector<PublishedSeries>& published, const MetricsOptions& options) {
+  const auto found = std::find_if(runs.begin(), runs.end(),
+                                  [&](const auto& m) { return m.run.name == reference; });
+  if (found == runs.end())
+    throw Error("reference: " + reference + " found, the name of one of the runs expected");
+  if (found->run.manifest.is_object() && !found->run.manifest.value("finished", true)) {
+    throw Error("reference: " + reference +
+                " did not finish (manifest.json), a finished run expected");
+  }
+  json out{{"definition", definition_json(reference, options)},
+           {"front", json::object()},
+           {"timing", json::object()},
+           {"published", json::object()}};
+  for (const PublishedSeries& series : published) {
+    out["published"][series.name] = {{"label", series.label},
+                                     {"citation", series.citation},
+                                     {"kind", series.experiment ? "experiment" : "computation"},
+                                     {"uncertainty_T", series.time_uncertainty.value()},
+                                     {"uncertainty_Z_over_L", series.position_uncertainty.value()}};
+  }
+  const std::string against = found->run.method == "vof" ? "vof" : "reference";
+  for (const MeasuredRun& measured : runs) {
+    const std::string& name = measured.run.name;
+    if (out["front"].contains(name))
+      throw Error("run: " + name + " found twice, runs of different names expected");
+    const PhysicsComparison physics =
+        compare_physics(measured.run.physics, name, found->run.physics, reference);
+    require_same_physics(physics, options.allowed_differences);
+    json front = describe(measured, measured.run.frames->times().size());
+    front["physics_not_stated"] = physics.not_stated;
+    try {
+      add_difference(
+          front,
+          difference(measured.front, found->front, wall_rule(found->run, options.wall_distance)),
+          against);
+    } catch (const Error& error) {
+      throw Error(name + " against " + reference + ": " + error.what());
+    }
+    front["published"] = published_json(measured, published, options);
+    out["front"][name] = front;
+    out["timing"][name] = timing_json(measured.run);
+  }
+  return out;
+}
+
+}  // namespace surge::compare

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "particle/case/case_file.hpp"
+
+namespace surge::test {
+
+/// A small complete case: 4 x 8 particles in a tank of 12 x 12, with line numbers that tests name.
+inline constexpr const char* small_case = R"(title = "Small"
+dimension = 2
+[fluid]
+density = 1000.0
+kinematic_viscosity = 0.0
+gravity = [0.0, -9.81]
+[tank]
+lower = [0.0, 0.0]
+upper = [0.12, 0.12]
+open = ["y+"]
+periodic = []
+wall = "slip"
+[[block]]
+shape = "box"
+lower = [0.0, 0.0]
+upper = [0.04, 0.08]
+velocity = [0.0, 0.0]
+[[obstacle]]
+lower = [0.1, 0.0]
+upper = [0.12, 0.02]
+[[probe]]
+name = "corner"
+position = [0.005, 0.005]
+[resolution]
+spacing = 0.01
+[time]
+end = 0.02
+initial_step = 1e-4
+maximum_step = 1e-3
+courant = 0.2
+[output]
+interval = 0.005
+[search]
+neighbours = "cell_grid"
+[method]
+name = "sph"
+preset = "paper"
+)";
+
+/// The small case without its tank: the block and the obstacle in free space.
+inline std::string case_without_tank() {
+  std::string text = small_case;
+  const auto begin = text.find("[tank]");
+  return text.erase(begin, text.find("[[block]]") - begin);
+}
+
+inline Case make_case(const std::vector<std::string>& overrides = {}) {
+  return parse_case(small_case, "small.toml", overrides);
+}
+
+/// A folder of its own for a test, removed at the end.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() /
+              ("surge_" + name + "_" + std::to_string(::getpid()))) {
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace surge::test

@@ -1,0 +1,104 @@
+#include "compare/reference/series.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/compare/synthetic.hpp"
+
+namespace surge::compare {
+namespace {
+
+using testing::error_of;
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+const std::string header =
+    "# label: A\n# citation: B 1952\n# column: 2L high\n# kind: experiment\n"
+    "# time_uncertainty: 0.1\n# position_uncertainty: 0.15\n";
+
+struct Published {
+  const char* name;
+  std::size_t points;
+  bool experiment;
+  double last_time;
+  double last_position;
+};
+
+class PublishedFiles : public ::testing::TestWithParam<Published> {};
+
+TEST_P(PublishedFiles, AreComplete) {
+  const Published expected = GetParam();
+  const PublishedSeries series =
+      read_series(std::string(SURGE_SOURCE_DIR) + "/compare/reference/" + expected.name + ".csv");
+  EXPECT_EQ(series.name, expected.name);
+  ASSERT_EQ(series.front.samples.size(), expected.points);
+  EXPECT_DOUBLE_EQ(series.front.samples.back().time.value(), expected.last_time);
+  EXPECT_DOUBLE_EQ(series.front.samples.back().position.value(), expected.last_position);
+  EXPECT_EQ(series.experiment, expected.experiment);
+  EXPECT_DOUBLE_EQ(series.time_uncertainty.value(), expected.experiment ? 0.1 : 0.0);
+  EXPECT_DOUBLE_EQ(series.position_uncertainty.value(), expected.experiment ? 0.15 : 0.0);
+  EXPECT_THAT(series.citation, HasSubstr("19"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, PublishedFiles,
+    ::testing::Values(Published{"martin_moyce_1952_2.25in", 15, true, 3.33, 4.11},
+                      Published{"martin_moyce_1952_1.125in", 6, true, 2.894, 3.675},
+                      Published{"koshizuka_oka_1996_experiment", 9, true, 3.0912, 3.623},
+                      Published{"koshizuka_oka_1996_mps", 9, false, 2.943, 3.997}));
+
+struct Bad {
+  std::string text;
+  std::string message;
+};
+
+class BadSeries : public ::testing::TestWithParam<Bad> {};
+
+TEST_P(BadSeries, IsRefusedWithItsLine) {
+  const TemporaryFolder folder;
+  const auto file = write_text(folder / "s.csv", GetParam().text);
+  EXPECT_THAT(error_of([&] { (void)read_series(file); }), HasSubstr("s.csv:" + GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, BadSeries,
+    ::testing::Values(
+        Bad{header + "T,Z_over_L\n0,1\n1,x\n", "9: Z_over_L: \"x\" found"},
+        Bad{header + "T,Z_over_L\n0,1\n1,nan\n", "9: Z_over_L: \"nan\" found"},
+        Bad{header + "T,Z_over_L\n0,1\n1,2,3\n", "9: row: "},
+        Bad{header + "T,Z_over_L\n0,1\n1\n", "9: row: "},
+        Bad{header + "T,Z_over_L\n1,1\n1,2\n", "9: T: 1 found, a later time expected"},
+        Bad{header + "T,Z_over_L\n1,1\n", "8: rows: 1 found"},
+        Bad{header + "t,x\n1,1\n", "7: column names: "},
+        Bad{header + "# colour: red\nT,Z_over_L\n0,1\n1,2\n", "10: colour: an unknown key"},
+        Bad{header + "# label: again\nT,Z_over_L\n0,1\n1,2\n", "7: label: a second line"},
+        Bad{"# label: A\nT,Z_over_L\n0,1\n1,2\n", "4: header: no \"# citation:\""},
+        Bad{header + "# note:\nT,Z_over_L\n0,1\n1,2\n", "7: note: nothing found"}));
+
+TEST(Series, MissingFileIsNamed) {
+  EXPECT_THAT(error_of([] { (void)read_series("/nowhere/a.csv"); }),
+              HasSubstr("/nowhere/a.csv: cannot be opened"));
+}
+
+TEST(Series, NegativeUncertaintyIsRefused) {
+  const TemporaryFolder folder;
+  std::string text = header + "T,Z_over_L\n0,1\n1,2\n";
+  text.replace(text.find("0.15"), 4, "-1");
+  const auto file = write_text(folder / "s.csv", text);
+  EXPECT_THAT(error_of([&] { (void)read_series(file); }), HasSubstr("position_uncertainty: -1"));
+}
+
+TEST(Csv, ReadsBackTheSameDoubles) {
+  const TemporaryFolder folder;
+  write_csv(folder / "sub/f.csv", {"a", "b"}, {{1.0 / 3.0, 1e-300}});
+  std::ifstream in(folder / "sub/f.csv");
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "a,b");
+  std::getline(in, line);
+  EXPECT_EQ(std::stod(line), 1.0 / 3.0);
+  EXPECT_THROW(write_csv("/proc/nothing.csv", {"a"}, {{1.0}}), Error);
+}
+
+}  // namespace
+}  // namespace surge::compare

@@ -1,0 +1,288 @@
+#include "compare/report/claims.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "compare/report/errata.hpp"
+#include "compare/report/report.hpp"
+#include "tests/compare/synthetic_study.hpp"
+
+namespace surge::compare {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using testing::read_text;
+using testing::SyntheticStudy;
+
+json claim(const json& metrics, const std::string& id) {
+  for (const json& entry : metrics["claims"]) {
+    if (entry["id"] == id) return entry;
+  }
+  ADD_FAILURE() << "no claim " << id;
+  return {};
+}
+
+/// Run mps-b, whose front leads by 0.2 L.
+void add_inaccurate_mps(const SyntheticStudy& files) {
+  std::string study = read_text(files.study());
+  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
+  testing::write_text(files.study(), study);
+  files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+}
+
+TEST(Claims, FollowTheFronts) {
+  const SyntheticStudy files;
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "reproduced");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "reproduced");
+  EXPECT_NEAR(claim(metrics, "leading_edge_mps")["evidence"][0]["value"], 0.02, 1e-3);
+}
+
+TEST(Claims, TurnWithTheNumbers) {
+  const SyntheticStudy files;
+  files.write("mps-a", "mps", 0.2 * SyntheticStudy::length);
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "not reproduced");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "not reproduced");
+}
+
+TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
+  const SyntheticStudy files;
+  add_inaccurate_mps(files);
+  const json metrics = report_metrics(files.collected());
+  EXPECT_THAT(claim(metrics, "leading_edge_mps")["verdict"].get<std::string>(),
+              HasSubstr("depends on"));
+  EXPECT_THAT(claim(metrics, "mps_more_accurate")["verdict"].get<std::string>(),
+              HasSubstr("depends on"));
+}
+
+// The same run as above, but by a formulation that the paper says nothing about.
+TEST(Claims, OfThePaperAreNotJudgedByNewerFormulations) {
+  const SyntheticStudy files;
+  add_inaccurate_mps(files);
+  const auto file = files.runs() / "mps-b/manifest.json";
+  json manifest = json::parse(read_text(file));
+  manifest["case"]["method"]["preset"] = "improved";
+  testing::write_text(file, manifest.dump());
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "reproduced");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "reproduced");
+  EXPECT_EQ(metrics["summary"]["methods"]["mps"]["run"], "mps-a");
+  EXPECT_EQ(metrics["summary"]["beyond"]["mps"]["run"], "mps-b");
+  EXPECT_TRUE(metrics["summary"]["beyond"]["sph"].is_null());
+}
+
+TEST(Claims, WithoutRunsNothingIsSaid) {
+  const SyntheticStudy files;
+  std::filesystem::remove_all(files.runs() / "sph-a");
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_sph")["verdict"], "not measured");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "not measured");
+  EXPECT_EQ(claim(metrics, "sph_cheaper")["verdict"], "not measured");
+}
+
+TEST(Claims, CostLeavesSetupAndOutputOut) {
+  const SyntheticStudy files;
+  const auto file = files.runs() / "mps-a/manifest.json";
+  json manifest = json::parse(read_text(file));
+  manifest["wall_s"] = {{"total", 12.0},   {"setup", 1.0},      {"output", 1.0},
+                        {"pressure", 8.0}, {"neighbours", 1.0}, {"forces", 1.0}};
+  manifest["steps"] = 1000;
+  manifest["simulated_s"] = 0.5;
+  testing::write_text(file, manifest.dump());
+  const json metrics = report_metrics(files.collected());
+  EXPECT_DOUBLE_EQ(metrics["cost"]["mps-a"]["ms_per_step"], 10.0);
+  EXPECT_DOUBLE_EQ(metrics["cost"]["mps-a"]["s_per_simulated_s"], 20.0);
+  EXPECT_DOUBLE_EQ(metrics["cost"]["mps-a"]["share"]["pressure"], 0.8);
+  EXPECT_EQ(claim(metrics, "poisson_dominates")["verdict"], "reproduced");
+}
+
+/// The verdict on metrics that a test may have changed.
+std::string verdict(const StudyResult& study, const json& metrics, const std::string& id) {
+  for (const Claim& found : find_claims(study, metrics)) {
+    if (found.id == id) return found.verdict;
+  }
+  ADD_FAILURE() << "no claim " << id;
+  return {};
+}
+
+/// Metrics of the synthetic study, of which tests change the numbers that a verdict rests on.
+class Verdicts : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string of(const std::string& id) const {
+    return verdict(study_, metrics_, id);
+  }
+  json& number(const std::string& pointer) { return metrics_[json::json_pointer(pointer)]; }
+  /// Repeats what the test did to the files.
+  void measure() {
+    study_ = files_.collected();
+    metrics_ = report_metrics(study_);
+  }
+  void change_manifest(const std::string& run, const std::string& pointer, const json& value) {
+    const auto file = files_.runs() / run / "manifest.json";
+    json manifest = json::parse(read_text(file));
+    manifest[json::json_pointer(pointer)] = value;
+    testing::write_text(file, manifest.dump());
+  }
+
+  SyntheticStudy files_;
+  StudyResult study_ = files_.collected();
+  json metrics_ = report_metrics(study_);
+};
+
+TEST_F(Verdicts, PatternsAreAlikeWhereRegionsOverlap) {
+  const auto set = [&](double mps, double sph) {
+    for (const char* when : {"before", "after"}) {
+      number(std::string("/patterns/mps-a/overlap/") + when + "_mean") = mps;
+      number(std::string("/patterns/sph-a/overlap/") + when + "_mean") = sph;
+    }
+  };
+  set(0.95, 0.91);
+  EXPECT_EQ(of("patterns_alike"), "reproduced");
+  set(0.95, 0.89);
+  EXPECT_THAT(of("patterns_alike"), HasSubstr("depends on the time and the formulation"));
+  set(0.7, 0.6);
+  EXPECT_EQ(of("patterns_alike"), "not reproduced");
+}
+
+TEST_F(Verdicts, FragmentationIsOfMpsAlone) {
+  const auto set = [&](const std::string& run, std::size_t cohesion, double part) {
+    number("/patterns/" + run + "/detached/" + std::to_string(cohesion) + "/part_mean") = part;
+  };
+  for (std::size_t c = 0; c < cohesion_count; ++c) {
+    set("mps-a", c, 0.01);
+    set("sph-a", c, 0.0);
+    set("vof-20", c, 0.001);
+  }
+  EXPECT_EQ(of("only_mps_fragments"), "reproduced");
+  set("vof-20", 0, 0.01);
+  EXPECT_THAT(of("only_mps_fragments"), HasSubstr("depends on how strictly"));
+  for (std::size_t c = 0; c < cohesion_count; ++c) set("sph-a", c, 0.02);
+  EXPECT_EQ(of("only_mps_fragments"), "not reproduced");
+}
+
+TEST_F(Verdicts, CostSaysInWhichQuantityTheClaimFails) {
+  const auto set = [&](const char* run, double step, double second) {
+    number(std::string("/cost/") + run + "/ms_per_step") = step;
+    number(std::string("/cost/") + run + "/s_per_simulated_s") = second;
+  };
+  set("mps-a", 2.0, 20.0);
+  set("sph-a", 1.0, 10.0);
+  EXPECT_EQ(of("sph_cheaper"), "reproduced");
+  set("sph-a", 1.0, 30.0);
+  EXPECT_EQ(of("sph_cheaper"),
+            "depends on the quantity: not so per simulated second with the paper’s step rule");
+  set("sph-a", 3.0, 30.0);
+  EXPECT_EQ(of("sph_cheaper"), "not reproduced");
+  change_manifest("sph-a", "/case/method/parameters/acoustic_courant", 0.25);
+  measure();
+  set("mps-a", 2.0, 20.0);
+  set("sph-a", 1.0, 30.0);
+  EXPECT_EQ(of("sph_cheaper"),
+            "depends on the quantity: not so per simulated second with an acoustic limit of the "
+            "step");
+}
+
+/// Curves of both methods with one point each.
+json curves(double mps_ms, double sph_ms, double mps_exponent, double sph_exponent) {
+  const auto curve = [](const char* method, double ms, double exponent) {
+    return json{
+        {"method", method},
+        {"search", "all_pairs"},
+        {"label", method},
+        {"fit_per_step", {{"exponent", exponent}}},
+        {"points", {{{"fluid_particles", 5000}, {"ms_per_step", ms}, {"total_s", nullptr}}}}};
+  };
+  return {{"a", curve("mps", mps_ms, mps_exponent)}, {"b", curve("sph", sph_ms, sph_exponent)}};
+}
+
+TEST_F(Verdicts, TimedRunsCountForTheCostToo) {
+  number("/cost/mps-a") = {{"ms_per_step", 2.0}, {"s_per_simulated_s", 20.0}};
+  number("/cost/sph-a") = {{"ms_per_step", 1.0}, {"s_per_simulated_s", 10.0}};
+  number("/scaling") = curves(9.0, 8.0, 2.0, 2.0);
+  EXPECT_EQ(of("sph_cheaper"), "reproduced");
+  number("/scaling") = curves(9.0, 10.0, 2.0, 2.0);
+  EXPECT_EQ(of("sph_cheaper"),
+            "depends on the quantity: not so per step at 5000 particles with the search all_pairs");
+}
+
+TEST_F(Verdicts, GrowthNeedsBothMethods) {
+  number("/scaling") = curves(1.0, 1.0, 1.9, 2.1);
+  EXPECT_EQ(of("grows_quadratically"), "reproduced");
+  number("/scaling") = curves(1.0, 1.0, 1.9, 1.8);
+  EXPECT_EQ(of("grows_quadratically"), "depends on the method");
+  number("/scaling") = curves(1.0, 1.0, 1.2, 1.8);
+  EXPECT_EQ(of("grows_quadratically"), "not reproduced");
+  number("/scaling").erase("b");
+  EXPECT_EQ(of("grows_quadratically"), "not measured");
+}
+
+TEST_F(Verdicts, ThePressureTakesMostOfTheTime) {
+  number("/cost/mps-a/share/pressure") = 0.6;
+  EXPECT_EQ(of("poisson_dominates"), "reproduced");
+  number("/cost/mps-a/share/pressure") = 0.4;
+  EXPECT_EQ(of("poisson_dominates"), "not reproduced");
+}
+
+TEST_F(Verdicts, ClusteringIsJudgedWithoutCollisions) {
+  const auto apart = [&](double mps, double sph) {
+    number("/patterns/mps-a/smallest_distance_over_l0/median") = mps;
+    number("/patterns/sph-a/smallest_distance_over_l0/median") = sph;
+  };
+  apart(0.5, 0.1);
+  EXPECT_THAT(of("no_clustering"), HasSubstr("no run of this study is without"));
+  apart(0.1, 0.5);
+  EXPECT_EQ(of("no_clustering"), "not reproduced");
+
+  testing::write_text(files_.study(),
+                      read_text(files_.study()) +
+                          "[[run]]\nname = \"alone\"\nprogram = \"surge-particle\"\ncase = "
+                          "\"c.toml\"\nrole = \"sensitivity\"\ngroup = \"collisions\"\n");
+  files_.write("alone", "mps", 0.0);
+  change_manifest("alone", "/case/method/parameters/collision_distance", 0.0);
+  measure();
+  // The last particle of the floor layer is moved back to the edge, so close to the one before.
+  const double measured = number("/without_collisions/alone/smallest_distance_over_l0");
+  EXPECT_GT(measured, 0.0);
+  EXPECT_LT(measured, 1.0);
+  EXPECT_NEAR(number("/without_collisions/alone/last_s"), 0.22, 1e-12);
+  apart(0.5, 0.1);
+  number("/without_collisions/alone/smallest_distance_over_l0") = 0.3;
+  EXPECT_EQ(of("no_clustering"), "reproduced");
+  number("/without_collisions/alone/smallest_distance_over_l0") = 0.2;
+  EXPECT_THAT(of("no_clustering"), HasSubstr("without them they cluster"));
+
+  std::filesystem::remove_all(files_.runs() / "alone");
+  files_.write("alone", "mps", 0.0, false);  // ends early
+  change_manifest("alone", "/case/method/parameters/collision_distance", 0.0);
+  measure();
+  apart(0.5, 0.1);
+  number("/without_collisions/alone/smallest_distance_over_l0") = 0.3;
+  EXPECT_THAT(of("no_clustering"), HasSubstr("without them the run breaks up"));
+}
+
+TEST_F(Verdicts, LostParticlesAndEarlyEndsAreNotRobust) {
+  EXPECT_EQ(of("large_deformation"), "reproduced");
+  change_manifest("mps-a", "/lost_particles", 3);
+  measure();
+  EXPECT_EQ(of("large_deformation"), "depends on the formulation");
+  change_manifest("sph-a", "/finished", false);
+  measure();
+  EXPECT_EQ(of("large_deformation"), "not reproduced");
+}
+
+TEST(Errata, EachIsHeldByATestThatExists) {
+  for (const Erratum& erratum : errata()) {
+    const std::string source = read_text(std::string(SURGE_SOURCE_DIR) + "/" + erratum.test_file);
+    const std::string test = erratum.test;
+    const auto dot = test.find('.');
+    ASSERT_NE(dot, std::string::npos) << test;
+    std::string heading = test;
+    heading.replace(dot, 1, ", ");
+    EXPECT_THAT(source, HasSubstr(heading + ")")) << heading;
+  }
+}
+
+}  // namespace
+}  // namespace surge::compare
