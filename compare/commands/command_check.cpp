@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "compare/study/baseline.hpp"
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
+#include "compare/study/baseline.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {

@@ -4,7 +4,7 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/report/sections.hpp"
+#include "compare/study/sequences.hpp"
 
 namespace surge::compare {
 

@@ -2,7 +2,7 @@
 
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/report/scaling.hpp"
+#include "compare/study/cost_curves.hpp"
 
 namespace surge::compare {
 

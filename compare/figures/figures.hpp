@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compare/figures/gnuplot.hpp"
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/figures/image.hpp"
-#include "compare/figures/table.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

@@ -3,7 +3,7 @@
 
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/report/sensitivity.hpp"
+#include "compare/study/sensitivity.hpp"
 
 namespace surge::compare {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "compare/figures/table.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

@@ -3,7 +3,7 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/verification/levels.hpp"
+#include "compare/study/levels.hpp"
 
 namespace surge::compare {
 

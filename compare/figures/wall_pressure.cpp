@@ -3,7 +3,7 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/report/wall_pressures.hpp"
+#include "compare/study/wall_pressures.hpp"
 
 namespace surge::compare {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "compare/measure/pieces.hpp"
-#include "compare/reference/series.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <set>
 
-#include "compare/read/foam_dictionary.hpp"
 #include "compare/measure/front.hpp"
+#include "compare/read/foam_dictionary.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
 

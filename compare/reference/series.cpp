@@ -133,22 +133,4 @@ PublishedSeries read_series(const std::filesystem::path& file) {
   return SeriesParser(file).parse();
 }
 
-void write_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
-               const std::vector<std::vector<double>>& rows) {
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
-  std::ofstream out(file);
-  for (std::size_t i = 0; i < header.size(); ++i) out << (i > 0 ? "," : "") << header[i];
-  out << '\n';
-  std::array<char, 32> text{};
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto end = std::to_chars(text.data(), text.data() + text.size(), row[i]).ptr;
-      out << (i > 0 ? "," : "") << std::string_view(text.data(), end);
-    }
-    out << '\n';
-  }
-  out.flush();
-  if (!out) throw Error(file.string() + ": cannot be written");
-}
-
 }  // namespace surge::compare

@@ -27,8 +27,4 @@ struct PublishedSeries {
 /// surge::Error with file:line.
 [[nodiscard]] PublishedSeries read_series(const std::filesystem::path& file);
 
-/// Writes rows of numbers under a header, enough digits to read the same doubles back.
-void write_csv(const std::filesystem::path& file, const std::vector<std::string>& header,
-               const std::vector<std::vector<double>>& rows);
-
 }  // namespace surge::compare

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "compare/figures/table.hpp"
 #include "compare/report/claims.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

@@ -1,5 +1,5 @@
-#include "compare/report/convergence.hpp"
 #include "compare/report/sections.hpp"
+#include "compare/study/sequences.hpp"
 
 namespace surge::compare {
 
@@ -201,17 +201,6 @@ std::string missing_runs(const Page& page) {
 }
 
 }  // namespace
-
-void measure_convergence(const StudyResult& study, json& metrics) {
-  metrics["convergence"] = json::object();
-  metrics["uncertainty"] = json::object();
-  metrics["pareto"] = json::object();
-  const std::vector<Sequence> sequences = sequences_of(study);
-  if (sequences.empty()) return;
-  measure_sequences(study, sequences, metrics);
-  measure_differences(study, sequences, metrics);
-  measure_cost_and_error(study, sequences, metrics);
-}
 
 std::string write_convergence(const Page& page) {
   const Values& v = page.values;

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "compare/figures/table.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

@@ -7,7 +7,8 @@
 
 #include "compare/figures/gnuplot.hpp"
 #include "compare/report/html.hpp"
-#include "compare/report/study_result.hpp"
+#include "compare/study/sequences.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 
@@ -54,7 +55,6 @@ void measure_verification(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_verification(const Page& page);
 void measure_sensitivity(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_sensitivity(const Page& page);
-void measure_convergence(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_convergence(const Page& page);
 void measure_errata(const StudyResult& study, nlohmann::json& metrics);
 [[nodiscard]] std::string write_errata(const Page& page);

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "compare/report/sections.hpp"
-#include "compare/verification/levels.hpp"
+#include "compare/study/levels.hpp"
 
 namespace surge::compare {
 

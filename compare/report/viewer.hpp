@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

@@ -1,5 +1,5 @@
 #include "compare/report/sections.hpp"
-#include "compare/report/wall_pressures.hpp"
+#include "compare/study/wall_pressures.hpp"
 
 namespace surge::compare {
 

@@ -10,8 +10,8 @@
 #include <fstream>
 #include <set>
 
-#include "compare/study/baseline.hpp"
 #include "compare/read/readers.hpp"
+#include "compare/study/baseline.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/version.hpp"
 

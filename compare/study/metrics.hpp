@@ -10,8 +10,8 @@
 
 #include "compare/measure/front.hpp"
 #include "compare/read/run.hpp"
-#include "compare/reference/series.hpp"
 #include "compare/read/units.hpp"
+#include "compare/reference/series.hpp"
 
 namespace surge::compare {
 

@@ -96,7 +96,7 @@ struct Case {
   std::vector<Probe> probes;
   std::vector<Gauge> gauges;
   std::vector<ForceSurface> forces;
-  double spacing = 0.005;      ///< l0, m
+  double spacing = 0.005;  ///< l0, m
   TimeControl time;
   double output_interval = 0.01;  ///< s between frames
   Search search = Search::cell_grid;

@@ -13,8 +13,7 @@ MotionState smooth_ramp(double t, double length) {
   if (length <= 0.0 || t >= length) return {1.0, 0.0, 0.0};
   if (t <= 0.0) return {};
   const double s = t / length;
-  return {s * s * s * (10.0 + s * (-15.0 + 6.0 * s)),
-          30.0 * s * s * (1.0 - s) * (1.0 - s) / length,
+  return {s * s * s * (10.0 + s * (-15.0 + 6.0 * s)), 30.0 * s * s * (1.0 - s) * (1.0 - s) / length,
           60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (length * length)};
 }
 
@@ -60,8 +59,7 @@ MotionState acceleration_table(const ScalarMotion& m, double time) {
   for (std::size_t k = 0; k + 1 < s.size(); ++k) {
     const double slope = (s[k + 1][1] - s[k][1]) / (s[k + 1][0] - s[k][0]);
     const double h = std::min(time, s[k + 1][0]) - s[k][0];
-    state.displacement +=
-        state.velocity * h + 0.5 * s[k][1] * h * h + slope * h * h * h / 6.0;
+    state.displacement += state.velocity * h + 0.5 * s[k][1] * h * h + slope * h * h * h / 6.0;
     state.velocity += s[k][1] * h + 0.5 * slope * h * h;
     state.acceleration = s[k][1] + slope * h;
     if (time < s[k + 1][0]) return state;

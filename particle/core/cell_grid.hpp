@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "particle/core/particles.hpp"
 #include "particle/case/case.hpp"
+#include "particle/core/particles.hpp"
 
 namespace surge {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "particle/core/particles.hpp"
 #include "particle/case/case.hpp"
+#include "particle/core/particles.hpp"
 
 namespace surge {
 

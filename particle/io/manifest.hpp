@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "particle/case/case.hpp"
 #include "particle/core/clock.hpp"
 #include "particle/core/step_report.hpp"
-#include "particle/case/case.hpp"
 
 namespace surge {
 

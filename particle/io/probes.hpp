@@ -4,10 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "particle/case/case.hpp"
 #include "particle/core/for_each_cell.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/case/case.hpp"
 
 namespace surge {
 

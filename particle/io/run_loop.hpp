@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
+#include "particle/case/case.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/solver.hpp"
-#include "particle/case/case.hpp"
 #include "particle/io/frame_queue.hpp"
 #include "particle/io/manifest.hpp"
 #include "particle/io/probes.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "particle/core/step_report.hpp"
 #include "particle/case/case.hpp"
+#include "particle/core/step_report.hpp"
 
 namespace surge {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "particle/linear/block_sum.hpp"
-#include "particle/linear/timer.hpp"
 #include "particle/linear/pressure_solver.hpp"
+#include "particle/linear/timer.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::linear {

@@ -5,11 +5,9 @@
 namespace surge::mps {
 
 template <int D>
-const linear::PoissonSystem& PoissonAssembly<D>::assemble(const Particles<D>& p,
-                                                  const NeighbourList<D>& list,
-                                                  const Displacement<D>& displacement,
-                                                  const AlignedVector<std::int32_t>& unknown,
-                                                  std::size_t unknowns) {
+const linear::PoissonSystem& PoissonAssembly<D>::assemble(
+    const Particles<D>& p, const NeighbourList<D>& list, const Displacement<D>& displacement,
+    const AlignedVector<std::int32_t>& unknown, std::size_t unknowns) {
   system_.row_start.resize(unknowns + 1);
   system_.diagonal.resize(unknowns);
   system_.rhs.resize(unknowns);

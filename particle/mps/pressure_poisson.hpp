@@ -31,8 +31,9 @@ class PoissonAssembly {
 
   /// Fills rows, coordinates and diagonal. The right side is left to the caller (rhs[unknown[i]]).
   const linear::PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
-                                const Displacement<D>& displacement,
-                                const AlignedVector<std::int32_t>& unknown, std::size_t unknowns);
+                                        const Displacement<D>& displacement,
+                                        const AlignedVector<std::int32_t>& unknown,
+                                        std::size_t unknowns);
 
   [[nodiscard]] linear::PoissonSystem& system() { return system_; }
 

@@ -85,8 +85,8 @@ Solver<D>::Solver(const Case& c)
       periodicity_(periodicity_of<D>(c)),
       assembly_(re_laplacian_, laplacian_factor_, c.spacing,
                 params_.wall_coupling == WallCoupling::all),
-      pressure_solver_({params_.ppe_solver, params_.ppe_tolerance,
-                        params_.ppe_max_iterations, params_.re_laplacian}) {
+      pressure_solver_({params_.ppe_solver, params_.ppe_tolerance, params_.ppe_max_iterations,
+                        params_.re_laplacian}) {
   const auto scope = clock_.measure(Phase::setup);
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   const Point still = still_gravity(c);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/case/case.hpp"
 #include "particle/core/balanced_loop.hpp"
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
@@ -7,11 +8,10 @@
 #include "particle/core/particles.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/case/case.hpp"
+#include "particle/linear/pressure_solver.hpp"
 #include "particle/mps/collision.hpp"
 #include "particle/mps/free_surface.hpp"
 #include "particle/mps/pressure_poisson.hpp"
-#include "particle/linear/pressure_solver.hpp"
 
 namespace surge::mps {
 

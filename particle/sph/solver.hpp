@@ -2,13 +2,13 @@
 
 #include <variant>
 
+#include "particle/case/case.hpp"
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/symmetric_pair_loop.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/case/case.hpp"
 #include "particle/kernel/quintic_spline.hpp"
 #include "particle/kernel/wendland_c2.hpp"
 #include "particle/sph/equation_of_state.hpp"

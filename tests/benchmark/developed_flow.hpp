@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "particle/core/particles.hpp"
 #include "particle/case/case_file.hpp"
+#include "particle/core/particles.hpp"
 
 namespace surge::benchmarks {
 

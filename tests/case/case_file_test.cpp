@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "particle/core/initial_particles.hpp"
 #include "particle/case/case_checks.hpp"
 #include "particle/case/case_json.hpp"
+#include "particle/core/initial_particles.hpp"
 #include "particle/io/options.hpp"
 #include "particle/io/presets.hpp"
 #include "tests/case/case_fixture.hpp"

@@ -24,8 +24,8 @@
 #include <vector>
 
 #include "compare/measure/front.hpp"
-#include "compare/study/metrics.hpp"
 #include "compare/read/run.hpp"
+#include "compare/study/metrics.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare::testing {

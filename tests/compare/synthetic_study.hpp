@@ -1,6 +1,6 @@
 #pragma once
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 #include "tests/compare/synthetic.hpp"
 
 namespace surge::compare::testing {

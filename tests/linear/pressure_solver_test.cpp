@@ -236,8 +236,7 @@ std::string name_of(const ::testing::TestParamInfo<Solver>& solver) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ppe, EverySolver,
-                         ::testing::Values(Solver::iccg, Solver::cholmod,
-                                           Solver::multigrid),
+                         ::testing::Values(Solver::iccg, Solver::cholmod, Solver::multigrid),
                          name_of);
 
 class Multigrid : public ::testing::Test {

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "compare/report/wall_pressures.hpp"
+#include "compare/study/wall_pressures.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
 namespace surge::compare {

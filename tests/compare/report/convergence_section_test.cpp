@@ -5,8 +5,8 @@
 #include <set>
 
 #include "compare/figures/figures.hpp"
-#include "compare/report/convergence.hpp"
 #include "compare/report/report.hpp"
+#include "compare/study/sequences.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
 namespace surge::compare {

@@ -10,8 +10,8 @@
 #include <regex>
 
 #include "compare/report/report.hpp"
+#include "compare/study/levels.hpp"
 #include "compare/verification/exact.hpp"
-#include "compare/verification/levels.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
 namespace surge::compare {

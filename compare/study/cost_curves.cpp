@@ -1,4 +1,4 @@
-#include "compare/report/scaling.hpp"
+#include "compare/study/cost_curves.hpp"
 
 #include <algorithm>
 #include <cmath>

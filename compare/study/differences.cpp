@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/figures/table.hpp"
-#include "compare/report/convergence.hpp"
+#include "compare/study/sequences.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "compare/report/convergence.hpp"
+#include "compare/study/sequences.hpp"
 
 namespace surge::compare {
 

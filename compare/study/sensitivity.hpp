@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

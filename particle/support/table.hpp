@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-namespace surge::compare {
+namespace surge {
 
 /// Data of a figure, one value or word per cell, written as CSV beside it.
 struct Table {
@@ -28,4 +28,9 @@ struct Table {
 /// Writes folder/NAME.csv (RFC 4180: words with commas or quotes are quoted). Throws Error.
 void write_csv(const Table& table, const std::filesystem::path& folder);
 
-}  // namespace surge::compare
+/// Rows of finite numbers under a header, enough digits to read the same doubles back; makes the
+/// folder of the file. Throws Error.
+void write_csv(const std::filesystem::path& file, const std::vector<std::string>& columns,
+               const std::vector<std::vector<double>>& rows);
+
+}  // namespace surge

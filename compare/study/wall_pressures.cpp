@@ -1,4 +1,4 @@
-#include "compare/report/wall_pressures.hpp"
+#include "compare/study/wall_pressures.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "compare/verification/levels.hpp"
+#include "compare/study/levels.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 
@@ -59,5 +59,8 @@ void measure_differences(const StudyResult& study, const std::vector<Sequence>& 
 /// the spacing; which of them no other beats in both. Reads `uncertainty`.
 void measure_cost_and_error(const StudyResult& study, const std::vector<Sequence>& sequences,
                             nlohmann::json& metrics);
+
+/// All three; empty where no sequence has a complete run.
+void measure_convergence(const StudyResult& study, nlohmann::json& metrics);
 
 }  // namespace surge::compare

@@ -1,4 +1,4 @@
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 #include <gmock/gmock.h>
 

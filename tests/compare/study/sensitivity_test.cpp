@@ -1,4 +1,4 @@
-#include "compare/report/sensitivity.hpp"
+#include "compare/study/sensitivity.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "compare/figures/table.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 

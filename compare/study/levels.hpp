@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/report/study_result.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/report/study_result.hpp"
 #include "compare/measure/wall_pressure.hpp"
+#include "compare/study/study_result.hpp"
 
 namespace surge::compare {
 

@@ -1,11 +1,11 @@
-#include "compare/report/convergence.hpp"
+#include "compare/study/sequences.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "compare/study/convergence.hpp"
-#include "compare/figures/table.hpp"
 #include "compare/study/quantities.hpp"
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 
@@ -223,6 +223,17 @@ void measure_sequences(const StudyResult& study, const std::vector<Sequence>& se
   }
   out["counts"] = counts_json(out["sequences"]);
   out["bars"] = bars_json(study, sequences, finest);
+}
+
+void measure_convergence(const StudyResult& study, json& metrics) {
+  metrics["convergence"] = json::object();
+  metrics["uncertainty"] = json::object();
+  metrics["pareto"] = json::object();
+  const std::vector<Sequence> sequences = sequences_of(study);
+  if (sequences.empty()) return;
+  measure_sequences(study, sequences, metrics);
+  measure_differences(study, sequences, metrics);
+  measure_cost_and_error(study, sequences, metrics);
 }
 
 }  // namespace surge::compare

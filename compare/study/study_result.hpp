@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "compare/measure/flow_pattern.hpp"
-#include "compare/study/metrics.hpp"
 #include "compare/reference/series.hpp"
+#include "compare/study/metrics.hpp"
 #include "compare/study/study.hpp"
 #include "compare/verification/flows.hpp"
 

@@ -1,4 +1,4 @@
-#include "compare/figures/table.hpp"
+#include "particle/support/table.hpp"
 
 #include <array>
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "particle/support/error.hpp"
 
-namespace surge::compare {
+namespace surge {
 
 namespace {
 
@@ -21,6 +21,20 @@ std::string quoted(const std::string& word) {
 std::string cell_text(const Table::Cell& cell) {
   if (const auto* value = std::get_if<double>(&cell)) return plot_number(*value);
   return quoted(std::get<std::string>(cell));
+}
+
+template <class Row>
+void write_rows(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                const std::vector<Row>& rows) {
+  std::ofstream out(file);
+  for (std::size_t i = 0; i < columns.size(); ++i) out << (i > 0 ? "," : "") << quoted(columns[i]);
+  out << '\n';
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) out << (i > 0 ? "," : "") << cell_text(row[i]);
+    out << '\n';
+  }
+  out.close();
+  if (!out) throw Error(file.string() + ": cannot be written");
 }
 
 }  // namespace
@@ -40,18 +54,13 @@ std::string fixed_text(double value, int decimals) {
 }
 
 void write_csv(const Table& table, const std::filesystem::path& folder) {
-  const auto path = folder / (table.name + ".csv");
-  std::ofstream out(path);
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    out << (i ? "," : "") << quoted(table.columns[i]);
-  }
-  out << '\n';
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) out << (i ? "," : "") << cell_text(row[i]);
-    out << '\n';
-  }
-  out.close();
-  if (!out) throw Error(path.string() + ": cannot be written");
+  write_rows(folder / (table.name + ".csv"), table.columns, table.rows);
 }
 
-}  // namespace surge::compare
+void write_csv(const std::filesystem::path& file, const std::vector<std::string>& columns,
+               const std::vector<std::vector<double>>& rows) {
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_rows(file, columns, rows);
+}
+
+}  // namespace surge

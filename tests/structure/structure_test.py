@@ -1,0 +1,81 @@
+"""The rules of the layout that a compiler does not hold: includes go downwards, files stay short."""
+
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LONGEST = 350  # lines of a source file
+
+# A folder may include what stands in a row above its own, and itself.
+PARTICLE = [["support"], ["case"], ["core"], ["kernel", "linear"], ["mps", "sph", "isph"], ["io"]]
+COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["figures"], ["report"],
+           ["commands"]]
+# What other programs may use of the particle library: it knows no method.
+SHARED = ("particle/support", "particle/case")
+
+
+def rank(part: str, rows: list[list[str]]) -> int:
+    return next(number for number, row in enumerate(rows) if part in row)
+
+
+def sources(*folders: str) -> list[Path]:
+    listed = subprocess.run(["git", "ls-files", "--", *folders], cwd=ROOT, capture_output=True,
+                            text=True, check=True).stdout.split("\n")
+    return [Path(name) for name in listed if name and (ROOT / name).is_file()]
+
+
+def includes(path: Path) -> list[str]:
+    return re.findall(r'^#include "([^"]+)"', (ROOT / path).read_text(encoding="utf-8"), re.MULTILINE)
+
+
+def violation(path: Path, included: str) -> str | None:
+    """Why `path` must not include `included`; None where it may."""
+    parts, other = path.parts, Path(included).parts
+    here, there = "/".join(parts[:2]), "/".join(other[:2])
+    if here == there or len(other) < 3:
+        return None
+    for top, rows in (("particle", PARTICLE), ("compare", COMPARE)):
+        if parts[0] != top:
+            continue
+        if other[0] != top:
+            return None if there in SHARED else f"{path} includes {included}, which is another program's"
+        if len(parts) == 2:  # main.cpp stands above all of its folders
+            return None
+        if rank(other[1], rows) >= rank(parts[1], rows):
+            return f"{path} includes {included}, which is not below it"
+    if parts[0] == "foam_cases" and other[0] != "foam_cases" and there not in SHARED:
+        return f"{path} includes {included}, which is another program's"
+    return None
+
+
+class Structure(unittest.TestCase):
+    def test_includes_go_downwards(self):
+        found = [text for path in sources("particle", "compare", "foam_cases")
+                 if path.suffix in (".cpp", ".hpp")
+                 for included in includes(path) if (text := violation(path, included))]
+        self.assertEqual([], found, "\n" + "\n".join(found))
+
+    def test_the_rule_finds_what_is_upside_down(self):
+        self.assertIsNone(violation(Path("particle/mps/a.cpp"), "particle/core/b.hpp"))
+        self.assertIsNone(violation(Path("compare/read/a.cpp"), "particle/case/case.hpp"))
+        self.assertIn("below", violation(Path("particle/case/a.cpp"), "particle/mps/params.hpp"))
+        self.assertIn("below", violation(Path("particle/mps/a.cpp"), "particle/sph/params.hpp"))
+        self.assertIn("below", violation(Path("compare/measure/a.cpp"), "compare/study/b.hpp"))
+        self.assertIn("program", violation(Path("compare/read/a.cpp"), "particle/mps/b.hpp"))
+
+    def test_files_are_short(self):
+        found = []
+        for path in sources("particle", "compare", "foam_cases", "tests", ".ci"):
+            if path.suffix not in (".cpp", ".hpp", ".py", ".js", ".css", ".sh", ".cmake", ".html"):
+                continue
+            lines = len((ROOT / path).read_text(encoding="utf-8").splitlines())
+            if lines > LONGEST:
+                found.append(f"{path}: {lines} lines, at most {LONGEST}")
+        self.assertEqual([], found, "\n" + "\n".join(found))
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
