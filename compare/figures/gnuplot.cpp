@@ -1,18 +1,11 @@
 #include "compare/figures/gnuplot.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "particle/support/error.hpp"
+#include "particle/support/process.hpp"
 
 namespace surge::compare {
 
@@ -47,50 +40,6 @@ set bars 0.4
   return out.str();
 }
 
-/// Reads the pipe until the writer closes it, then releases it.
-std::string read_all(int descriptor) {
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (;;) {
-    const ssize_t count = read(descriptor, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  close(descriptor);
-  return text;
-}
-
-/// Runs `gnuplot script` in the folder and returns its exit status and what it said.
-std::pair<int, std::string> run_gnuplot(const fs::path& folder, const std::string& script) {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw Error("gnuplot: no pipe: " + std::string(strerror(errno)));
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  std::string program = "gnuplot";
-  std::string argument = script;
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  const int failure =
-      posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  close(ends[1]);
-  const std::string said = read_all(ends[0]);
-  if (failure == ENOENT) {
-    throw Error("gnuplot: not found on PATH, expected the program (Debian package gnuplot-nox)");
-  }
-  if (failure != 0) throw Error("gnuplot: " + std::string(strerror(failure)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, said};
-}
-
 }  // namespace
 
 std::string draw(const Figure& figure, const fs::path& folder) {
@@ -102,7 +51,7 @@ std::string draw(const Figure& figure, const fs::path& folder) {
   out << preamble(figure) << figure.script << "\nunset output\nreset session\n}\n";
   out.close();
   if (!out) throw Error((folder / script).string() + ": cannot be written");
-  const auto [status, said] = run_gnuplot(folder, script);
+  const auto [status, said] = run_process("gnuplot", {script}, folder, "gnuplot-nox");
   if (status != 0) throw Error((folder / script).string() + ": gnuplot failed: " + said);
   return said;
 }

@@ -22,35 +22,6 @@ json deviations_of(const Run& run, const json& parameters) {
   return out;
 }
 
-std::string run_table(const Page& page, const RunResult& run) {
-  const std::string base = key({"deviations", run.study.name});
-  std::vector<std::vector<std::string>> departures;
-  std::vector<std::vector<std::string>> others;
-  for (const auto& [parameter, entry] : page.values.at(base).items()) {
-    const std::string pointer = base + key({parameter});
-    const std::string agreement = entry["agreement"];
-    const bool departs = agreement == agreement_text(Agreement::departs) ||
-                         agreement == agreement_text(Agreement::unknown);
-    std::string verdict = page.values.text(pointer + "/agreement");
-    if (departs) verdict = "<strong>" + verdict + "</strong>";
-    (departs ? departures : others)
-        .push_back({"<code>" + escape(parameter) + "</code>", page.values.text(pointer + "/value"),
-                    page.values.text(pointer + "/paper"), verdict,
-                    page.values.text(pointer + "/place")});
-  }
-  const std::size_t count = departures.size();
-  departures.insert(departures.end(), others.begin(), others.end());
-  return std::string("<details") + (count > 0 ? " open=\"open\"" : "") + ">\n<summary><code>" +
-         page.values.text(key({"runs", run.study.name, "name"})) +
-         "</code>: " + page.values.integer(key({"deviation_counts", run.study.name, "departs"})) +
-         " departing from the paper, " +
-         page.values.integer(key({"deviation_counts", run.study.name, "open"})) +
-         " left open by it</summary>\n<div class=\"words\">" +
-         html_table("Parameters of " + escape(run.label()),
-                    {"Parameter", "Here", "Paper", "", "Where"}, departures) +
-         "</div>\n</details>\n";
-}
-
 }  // namespace
 
 void measure_deviations(const StudyResult& study, json& metrics) {
@@ -73,19 +44,6 @@ void measure_deviations(const StudyResult& study, json& metrics) {
     metrics["deviations"][run->study.name] = all;
     metrics["deviation_counts"][run->study.name] = {{"departs", departs}, {"open", open}};
   }
-}
-
-std::string write_deviations(const Page& page) {
-  std::string html =
-      "<p>Resolved parameters as each run’s manifest states them, against what the paper says. "
-      "<em>Left open</em>: the paper gives no value, so ours is a choice. The reference is "
-      "computed "
-      "with interFoam instead of the paper’s FLUENT, whose mesh and settings it does not "
-      "give.</p>\n";
-  for (const RunResult* run : page.study.measured()) {
-    if (page.values.has(key({"deviations", run->study.name}))) html += run_table(page, *run);
-  }
-  return html;
 }
 
 }  // namespace surge::compare

@@ -51,19 +51,4 @@ void measure_errata(const StudyResult&, json& metrics) {
   }
 }
 
-std::string write_errata(const Page& page) {
-  std::vector<std::vector<std::string>> rows;
-  for (std::size_t i = 0; i < errata().size(); ++i) {
-    const std::string at = "/errata/" + std::to_string(i);
-    rows.push_back({page.values.text(at + "/place"), page.values.text(at + "/printed"),
-                    page.values.text(at + "/correct"), page.values.text(at + "/derivation"),
-                    "<code>" + page.values.text(at + "/test_file") + "</code> <code>" +
-                        page.values.text(at + "/test") + "</code>"});
-  }
-  return "<div class=\"words\">" +
-         html_table("Mistakes in print, each held by a test",
-                    {"Where", "Printed", "Correct", "Derivation", "Test"}, rows) +
-         "</div>";
-}
-
 }  // namespace surge::compare

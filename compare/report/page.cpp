@@ -1,54 +1,135 @@
-#include "compare/report/html.hpp"
+#include "compare/report/page.hpp"
+
+#include <fstream>
+#include <set>
+
+#include "compare/report/viewer.hpp"
+#include "compare/verification/flows.hpp"
+#include "particle/support/error.hpp"
+#include "particle/support/process.hpp"
 
 namespace surge::compare {
 
+namespace fs = std::filesystem;
+using nlohmann::json;
+
 namespace {
 
-constexpr const char* style = R"css(
-:root { color-scheme: light; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 62rem; padding: 1rem 1.25rem 4rem; background: #fff; color: #1c1c1c;
-  font: 1rem/1.55 system-ui, "Helvetica Neue", Arial, sans-serif; }
-h1 { font-size: 1.7rem; line-height: 1.2; margin: .6rem 0 .4rem; }
-h2 { font-size: 1.25rem; margin: 2.6rem 0 .6rem; padding-top: .5rem; border-top: 1px solid #ddd; }
-h3 { font-size: 1.05rem; margin: 1.6rem 0 .4rem; }
-p, ul, .answer { max-width: 46rem; }
-nav ul { display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; list-style: none; padding: 0; margin: .4rem 0; }
-a { color: #005b8f; }
-.answer { font-size: 1.08rem; border-left: .25rem solid #0072b2; padding: .1rem 0 .1rem 1rem; }
-.answer p { margin: .5rem 0; }
-.warning { border-left: .25rem solid #d55e00; padding: .2rem 0 .2rem 1rem; }
-figure { margin: 1.2rem 0 2rem; }
-figure svg { display: block; width: 100%; height: auto; }
-figure.single svg { max-width: 38rem; }
-figure.double .scroll > svg { min-width: 40rem; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0 2rem; align-items: start; }
-.figures > .double, .figures > .elsewhere { grid-column: 1 / -1; }
-.figures > * { min-width: 0; }
-figcaption { font-size: .9rem; color: #444; max-width: 46rem; margin-top: .5rem; }
-.scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .875rem; margin: .8rem 0; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: 600; padding: .3rem 0; }
-th, td { padding: .28rem .7rem .28rem 0; text-align: right; border-bottom: 1px solid #e4e4e4; vertical-align: top; }
-thead th { border-bottom: 1px solid #888; font-weight: 600; }
-th:first-child, .words td, .words th { text-align: left; }
-tbody th { font-weight: 500; white-space: nowrap; }
-.words tbody th { white-space: normal; min-width: 10rem; }
-.words td { min-width: 5rem; }
-#claims td:nth-child(3) { min-width: 13rem; }
-.status-complete { color: #00664a; }
-.status-unfinished, .status-unusable, .status-missing { color: #b04a00; font-weight: 600; }
-code { font-size: .92em; overflow-wrap: anywhere; }
-)css";
+constexpr const char* python = "/usr/bin/python3";  // Debian's, which has Debian's Jinja2
+
+json figure_json(const Figure& figure, const fs::path& folder) {
+  json tables = json::array();
+  for (const Table& table : figure.tables) tables.push_back(table.name);
+  return {{"name", figure.name},
+          {"title", figure.title},
+          {"caption", figure.caption},
+          {"wide", figure.width_mm > single_column_mm},
+          {"svg", fs::absolute(folder / (figure.name + ".svg")).string()},
+          {"tables", tables}};
+}
+
+json run_json(const StudyResult& study, const RunResult& run) {
+  return {{"name", run.study.name},
+          {"label", run.label()},
+          {"status", status_text(run.status)},
+          {"note", run.note},
+          {"measured", run.measured != nullptr},
+          {"reference", study.has_reference() && &run == &study.reference()}};
+}
+
+json runs_of_role(const StudyResult& study, Role role) {
+  json runs = json::array();
+  for (const RunResult* run : study.runs_of(role)) runs.push_back(run_json(study, *run));
+  return runs;
+}
+
+/// The methods that were measured, each once, the reference's last.
+json methods_of(const StudyResult& study) {
+  json methods = json::array();
+  std::set<std::string> seen;
+  if (!study.has_reference()) return methods;
+  const std::string& reference = study.reference_run().run.method;
+  seen.insert(reference);
+  for (const RunResult* run : study.measured())
+    if (seen.insert(run->measured->run.method).second) methods.push_back(run->measured->run.method);
+  methods.push_back(reference);
+  return methods;
+}
+
+json page_json(const StudyResult& study, const json& metrics, const std::vector<Figure>& figures,
+               const fs::path& out) {
+  json page{{"title", study.study.title},
+            {"has_reference", study.has_reference()},
+            {"of_the_paper", study.judges_paper()},
+            {"reference", study.study.reference},
+            {"methods", methods_of(study)},
+            {"usual_cohesion", usual_cohesion},
+            {"runs", json::array()},
+            {"convergence_runs", runs_of_role(study, Role::convergence)},
+            {"verification_runs", runs_of_role(study, Role::verification)},
+            {"figures", json::array()},
+            {"elsewhere", json::object()},
+            {"series", json::array()},
+            {"known_flows", json::array()},
+            {"viewer", nullptr}};
+  for (const RunResult& run : study.runs) page["runs"].push_back(run_json(study, run));
+  for (const Figure& figure : figures)
+    page["figures"].push_back(figure_json(figure, out / "figures"));
+  for (const auto& [name, what, where] : figures_elsewhere()) page["elsewhere"][name] = where;
+  for (const PublishedSeries& series : study.published)
+    page["series"].push_back({{"name", series.name}, {"experiment", series.experiment}});
+  for (const KnownFlow& flow : known_flows())
+    page["known_flows"].push_back(
+        {{"group", flow.group}, {"title", flow.title}, {"setup", flow.setup}});
+  if (study.has_reference()) page["viewer"] = viewer_json(study, metrics);
+  return page;
+}
+
+/// A file that is gone when this is.
+class TemporaryFile {
+ public:
+  TemporaryFile(fs::path path, const std::string& text) : path_(std::move(path)) {
+    std::ofstream out(path_);
+    out << text;
+    out.close();
+    if (!out) throw Error(path_.string() + ": cannot be written");
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+
+ private:
+  fs::path path_;
+};
 
 }  // namespace
 
-std::string html_page(const std::string& title, const std::string& body,
-                      std::string_view more_style) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escape(title) + "</title>\n<style>" + style + std::string(more_style) +
-         "</style>\n</head>\n<body>\n" + body + "</body>\n</html>\n";
+std::span<const std::array<const char*, 3>> figures_elsewhere() {
+  static constexpr std::array<std::array<const char*, 3>, 3> elsewhere{
+      {{"wall_pressure", "The figure of the wall pressure", "below, with its table"},
+       {"patterns", "The figure of the flow patterns", "below, with its tables"},
+       {"fig8", "Fig. 8, motion of the leading edge", "in the summary"}}};
+  return elsewhere;
+}
+
+void write_page(const StudyResult& study, const json& metrics, const std::vector<Figure>& figures,
+                const fs::path& out) {
+  json source{{"metrics", metrics}, {"page", page_json(study, metrics, figures, out)}};
+  std::string script;
+  for (const auto& [name, text] : page_files()) {
+    if (name == "render.py") script = text;
+    const bool is_template = name.ends_with(".html");
+    source[is_template ? "templates" : "files"][std::string(name)] = text;
+  }
+  source["files"]["viewer_controls.html"] = source["templates"]["viewer_controls.html"];
+  const TemporaryFile input(out / ".page.json", source.dump());
+  const ProcessEnd end = run_process(python, {"-I", "-B", "-c", script, ".page.json", "index.html"},
+                                     out, "python3, with python3-jinja2");
+  if (end.status != 0)
+    throw Error((out / "index.html").string() + ": the page could not be made: " + end.said);
 }
 
 }  // namespace surge::compare

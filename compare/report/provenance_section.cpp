@@ -41,33 +41,4 @@ void measure_provenance(const StudyResult& study, json& metrics) {
   }
 }
 
-std::string write_provenance(const Page& page) {
-  std::vector<std::vector<std::string>> rows;
-  const auto row = [&](const std::string& pointer, const std::string& name,
-                       const std::string& date) {
-    std::vector<std::string> cells{"<code>" + name + "</code>"};
-    for (const char* entry : {"program", "version", "commit", "compiler", "cpu", "threads"}) {
-      const std::string at = pointer + '/' + entry;
-      cells.push_back(page.values.has(at) ? page.values.text(at) : "–");
-    }
-    cells.push_back(page.values.text(pointer + date));
-    rows.push_back(cells);
-  };
-  for (const RunResult* run : page.study.measured()) {
-    row(key({"provenance", "runs", run->study.name}),
-        page.values.text(key({"runs", run->study.name, "name"})), "/started");
-  }
-  row("/provenance/report", "this report", "/generated");
-  std::string html = "<div class=\"words\">" +
-                     html_table("What computed what, and where",
-                                {"Part", "Program", "Version", "Commit", "Compiler", "Processor",
-                                 "Threads", "Date"},
-                                rows) +
-                     "</div>\n";
-  return html +
-         "<p>Every number of this page is an entry of <a href=\"metrics.json\"><code>"
-         "metrics.json</code></a>; the attribute <code>data-key</code> of its element names "
-         "it.</p>\n";
-}
-
 }  // namespace surge::compare

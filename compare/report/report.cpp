@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "compare/figures/figures.hpp"
+#include "compare/report/page.hpp"
 #include "compare/report/sections.hpp"
-#include "compare/report/viewer.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -23,23 +23,6 @@ void write_text(const fs::path& file, const std::string& text) {
   if (!out) throw Error(file.string() + ": cannot be written");
 }
 
-std::string body_of(const Page& page) {
-  std::string links, sections;
-  for (const Section& section : report_sections()) {
-    if (section.needs_reference && !page.study.has_reference()) continue;
-    const std::string written = section.write(page);
-    if (written.empty()) continue;
-    sections += "<section id=\"" + section.id + "\">\n";
-    if (!section.title.empty()) {
-      links += "<li><a href=\"#" + section.id + "\">" + escape(section.title) + "</a></li>";
-      sections += "<h2>" + escape(section.title) + "</h2>\n";
-    }
-    sections += written + "</section>\n";
-  }
-  return "<h1>" + page.values.text("/study/title") + "</h1>\n<nav><ul>" + links + "</ul></nav>\n" +
-         sections;
-}
-
 }  // namespace
 
 json report_metrics(const StudyResult& study) {
@@ -49,7 +32,9 @@ json report_metrics(const StudyResult& study) {
   if (study.has_reference())
     out = metrics(study.measured_runs, study.study.reference, study.published, options);
   for (const Section& section : report_sections())
-    if (!section.needs_reference || study.has_reference()) section.measure(study, out);
+    if ((!section.needs_reference || study.has_reference()) &&
+        (!section.of_the_paper || study.judges_paper()))
+      section.measure(study, out);
   return out;
 }
 
@@ -62,9 +47,8 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
     const std::string said = draw(figure, folder);
     if (!said.empty()) warnings += figure.name + ": " + said;
   }
-  const Page page{study, Values(numbers), figures, folder};
   write_text(out / "metrics.json", numbers.dump(1) + "\n");
-  write_text(out / "index.html", html_page(study.study.title, body_of(page), viewer_style()));
+  write_page(study, numbers, figures, out);
   return numbers;
 }
 

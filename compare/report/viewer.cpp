@@ -6,7 +6,6 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
-#include "compare/report/sections.hpp"
 #include "compare/report/viewer_encoding.hpp"
 
 namespace surge::compare {
@@ -156,38 +155,20 @@ std::string palette() {
   return base64(bytes);
 }
 
-/// JSON whose strings neither end a script element nor trouble an XML reader.
-std::string script_safe(const json& value) {
-  std::string result;
-  for (char c : value.dump()) {
-    if (c == '<') {
-      result += "\\u003c";
-    } else if (c == '>') {
-      result += "\\u003e";
-    } else if (c == '&') {
-      result += "\\u0026";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-json page_data(const Page& page) {
-  const ViewerPlan plan = plan_viewer(page.study);
-  json data{{"metrics", page.values.at("/viewer")},
+json page_data(const StudyResult& study, const ViewerPlan& plan, const json& metrics) {
+  json data{{"metrics", metrics.at("viewer")},
             {"palette", palette()},
             {"runs", json::array()},
             {"surface", nullptr}};
-  const auto end = window_end(page.study);
+  const auto end = window_end(study);
   data["window_end"] = end ? json(end->value()) : json();
   double width = 1.0;
-  if (const auto wall = page.study.wall().far_wall) width = wall->value();
+  if (const auto wall = study.wall().far_wall) width = wall->value();
   double height = 1.0;
   for (const RunResult* run : plan.runs) {
-    Shown shown = encode(page.study, plan, run);
-    const bool reference = run == &page.study.reference();
-    if (!page.study.wall().far_wall) width = std::max(width, shown.run["x"][1].get<double>());
+    Shown shown = encode(study, plan, run);
+    const bool reference = run == &study.reference();
+    if (!study.wall().far_wall) width = std::max(width, shown.run["x"][1].get<double>());
     if (reference) height = shown.height;
     if (!shown.surface.is_null() && (reference || data["surface"].is_null())) {
       data["surface"] = std::move(shown.surface);
@@ -196,18 +177,6 @@ json page_data(const Page& page) {
   }
   data["view"] = {{"width", width}, {"height", std::ceil(2.0 * (height + 0.05)) / 2.0}};
   return data;
-}
-
-std::string left_out_sentence(const Page& page) {
-  const ViewerPlan plan = plan_viewer(page.study);
-  if (plan.left_out.empty()) return "";
-  std::string names;
-  for (const RunResult* run : plan.left_out) {
-    names += (names.empty() ? "" : ", ") + ("<code>" + escape(run->study.name) + "</code>");
-  }
-  return "<p>Measured but not shown here, because another run of the same method and preset is or "
-         "because the page would grow too large: " +
-         names + ".</p>\n";
 }
 
 }  // namespace
@@ -256,14 +225,11 @@ void measure_viewer(const StudyResult& study, json& metrics) {
   }
 }
 
-std::string write_viewer(const Page& page) {
-  std::string html(viewer_html());
-  html += left_out_sentence(page) + "<script type=\"application/json\" id=\"viewer-data\">" +
-          script_safe(page_data(page)) + "</script>\n";
-  // The comment signs hide the CDATA section, which an XML reader needs, from the script.
-  html += "<script>//<![CDATA[\n";
-  html += viewer_script();
-  return html + "//]]></script>\n";
+json viewer_json(const StudyResult& study, const json& metrics) {
+  const ViewerPlan plan = plan_viewer(study);
+  json left_out = json::array();
+  for (const RunResult* run : plan.left_out) left_out.push_back(run->study.name);
+  return {{"data", page_data(study, plan, metrics)}, {"left_out", left_out}};
 }
 
 }  // namespace surge::compare

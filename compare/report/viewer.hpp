@@ -1,15 +1,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "compare/study/study_result.hpp"
 
 namespace surge::compare {
-
-struct Page;
 
 /// What the viewer shows: a panel per run, one sequence of times for all.
 struct ViewerPlan {
@@ -25,12 +21,7 @@ struct ViewerPlan {
 
 /// Adds "viewer": times, the fronts at these times and the range of the colours.
 void measure_viewer(const StudyResult& study, nlohmann::json& metrics);
-/// Controls, data and script. Without JavaScript only a pointer to the still figures is seen.
-[[nodiscard]] std::string write_viewer(const Page& page);
-
-/// Files beside this one, built into the program.
-[[nodiscard]] std::string_view viewer_html();
-[[nodiscard]] std::string_view viewer_style();
-[[nodiscard]] std::string_view viewer_script();
+/// What the viewer draws from: its data, and the names of the measured runs that it leaves out.
+[[nodiscard]] nlohmann::json viewer_json(const StudyResult& study, const nlohmann::json& metrics);
 
 }  // namespace surge::compare

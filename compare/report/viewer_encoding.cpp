@@ -1,5 +1,7 @@
 #include "compare/report/viewer_encoding.hpp"
 
+#include <vtkBase64Utilities.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -62,18 +64,11 @@ std::uint8_t quantise_unit(double value) {
 }
 
 std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr const char* letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= count ? letters[group >> (18U - 6U * k) & 63U] : '=';
-    }
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  // VTK writes into unsigned characters.
+  const auto length = vtkBase64Utilities::Encode(bytes.data(), bytes.size(),
+                                                 reinterpret_cast<unsigned char*>(text.data()));
+  text.resize(length);
   return text;
 }
 

@@ -14,6 +14,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<std::string_view, 2> programs{"surge-particle", "interFoam"};
+/// Papers whose statements can be judged.
+constexpr std::array<std::string_view, 1> papers{"alves_dreux"};
 constexpr std::array<std::string_view, 5> roles{"comparison", "timing", "sensitivity",
                                                 "convergence", "verification"};
 
@@ -80,6 +82,7 @@ class Collector {
     study_.strip_height = *strip_height_;
     study_.snapshot_times = *snapshot_times_;
     if (published_) study_.published = *published_;
+    if (claims_) study_.claims = *claims_;
     const auto is_reference = [&](const StudyRun& run) {
       return run.name == study_.reference && run.role == Role::comparison;
     };
@@ -105,6 +108,7 @@ class Collector {
       keep(strip_height_, Metres(root.number("strip_height", surge::Bounds::above(0.0))));
     if (root.has("snapshot_times")) keep(snapshot_times_, increasing_times(root));
     if (root.has("published")) keep(published_, root.texts("published"));
+    if (root.has("claims")) keep(claims_, std::string(papers[root.choice("claims", papers)]));
   }
 
   static std::vector<Seconds> increasing_times(const TomlTable& root) {
@@ -148,7 +152,7 @@ class Collector {
 
   Study study_;
   std::set<fs::path> files_;
-  std::optional<std::string> title_, reference_;
+  std::optional<std::string> title_, reference_, claims_;
   std::string reference_place_;
   std::optional<Metres> strip_height_;
   std::optional<std::vector<Seconds>> snapshot_times_;

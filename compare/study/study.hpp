@@ -42,6 +42,9 @@ struct Study {
   Metres strip_height;
   std::vector<Seconds> snapshot_times;
   std::vector<std::string> published;  ///< compare/reference/<name>.csv
+  /// Whose statements the runs are held against, the name of a folder beside the study; empty:
+  /// nobody's.
+  std::string claims;
   /// Those of the included files, then the file's own. A run stands here once in each role and
   /// group that it has.
   std::vector<StudyRun> runs;
@@ -49,9 +52,9 @@ struct Study {
 
 /// Reads a study and all that it includes. One whose runs are all of role verification needs no
 /// more than a title. A head entry that the study does not have (title,
-/// reference, strip_height, snapshot_times, published) is that of the first included file that has
-/// it. Throws surge::Error with file:line for unknown, missing or impossible values, and where two
-/// runs of one name compute different things.
+/// reference, strip_height, snapshot_times, published, claims) is that of the first included file
+/// that has it. Throws surge::Error with file:line for unknown, missing or impossible values, and
+/// where two runs of one name compute different things.
 [[nodiscard]] Study read_study(const std::filesystem::path& file);
 
 }  // namespace surge::compare

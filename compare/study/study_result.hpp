@@ -55,6 +55,8 @@ struct StudyResult {
   [[nodiscard]] FrontOptions front_options() const { return {.strip_height = study.strip_height}; }
   /// Without one there is nothing but exact answers to compare with.
   [[nodiscard]] bool has_reference() const { return !study.reference.empty(); }
+  /// Whether the runs are held against the statements of a paper.
+  [[nodiscard]] bool judges_paper() const { return !study.claims.empty(); }
   [[nodiscard]] const RunResult& reference() const;
   [[nodiscard]] const MeasuredRun& reference_run() const { return *reference().measured; }
   /// Runs of role comparison that have a front, in the study's order.

@@ -9,7 +9,6 @@
 #include <regex>
 #include <set>
 
-#include "compare/report/html.hpp"
 #include "compare/report/paper_settings.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
@@ -265,14 +264,19 @@ TEST(Report, DeparturesFromThePaperAreTold) {
   EXPECT_EQ(metrics["deviation_counts"]["sph-a"]["departs"], 2);
 }
 
-TEST(Html, ValuesThatAreNotThereAreAMistakeNotABlank) {
-  const json metrics{{"a", nullptr}, {"b", -0.0004}};
-  const Values values(metrics);
-  EXPECT_THROW(static_cast<void>(values.number("/c", 1)), std::logic_error);
-  EXPECT_THAT(values.number("/a", 1), HasSubstr(">–<"));
-  EXPECT_THAT(values.number("/b", 2), HasSubstr(">0.00<"));
-  EXPECT_THAT(values.signed_number("/b", 4), HasSubstr(">−0.0004<"));
-  EXPECT_EQ(key({"a/b", "c"}), "/a~1b/c");
+TEST(Report, StudyThatJudgesNoPaperHasNoWordOfItsStatements) {
+  const SyntheticStudy files;
+  std::string study = read_text(files.study());
+  const std::string claims = "claims = \"alves_dreux\"\n";
+  study.erase(study.find(claims), claims.size());
+  testing::write_text(files.study(), study);
+  const Written report = write(files);
+  for (const char* name : {"claims", "claim_counts", "deviations", "errata"})
+    EXPECT_FALSE(report.metrics.contains(name)) << name;
+  for (const char* word : {"id=\"claims\"", "id=\"errata\"", "paper’s finding", "statements"})
+    EXPECT_THAT(report.page, Not(HasSubstr(word)));
+  EXPECT_NEAR(report.metrics["front"]["mps-a"]["max_vs_vof"], 0.02, 1e-6);
+  EXPECT_THAT(report.page, HasSubstr("the leading edge Z/L differs from that of the reference"));
 }
 
 }  // namespace
