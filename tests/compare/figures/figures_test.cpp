@@ -38,15 +38,6 @@ void expect_drawn(const std::filesystem::path& folder, const std::string& name) 
   EXPECT_LT(pdf.size(), 1000000U) << name;
 }
 
-TEST(Table, QuotesWordsAndWritesNumbersThatReadBack) {
-  const TemporaryFolder folder;
-  Table table{"t", {"word", "value"}, {}};
-  table.add({std::string("a, \"b\""), 0.1});
-  table.add({std::string("c"), std::numeric_limits<double>::infinity()});
-  write_csv(table, folder.path());
-  EXPECT_EQ(read_text(folder / "t.csv"), "word,value\n\"a, \"\"b\"\"\",0.1\nc,NaN\n");
-}
-
 TEST(Style, MapOfPressureGrowsBrighterSteadily) {
   double last = -1.0;
   for (int i = 0; i <= 100; ++i) {

@@ -88,17 +88,5 @@ TEST(Series, NegativeUncertaintyIsRefused) {
   EXPECT_THAT(error_of([&] { (void)read_series(file); }), HasSubstr("position_uncertainty: -1"));
 }
 
-TEST(Csv, ReadsBackTheSameDoubles) {
-  const TemporaryFolder folder;
-  write_csv(folder / "sub/f.csv", {"a", "b"}, {{1.0 / 3.0, 1e-300}});
-  std::ifstream in(folder / "sub/f.csv");
-  std::string line;
-  std::getline(in, line);
-  EXPECT_EQ(line, "a,b");
-  std::getline(in, line);
-  EXPECT_EQ(std::stod(line), 1.0 / 3.0);
-  EXPECT_THROW(write_csv("/proc/nothing.csv", {"a"}, {{1.0}}), Error);
-}
-
 }  // namespace
 }  // namespace surge::compare
