@@ -39,7 +39,7 @@ Written write(const SyntheticStudy& files) {
 
 std::string unescape(std::string text) {
   const std::vector<std::pair<std::string, std::string>> entities{
-      {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}};
+      {"&lt;", "<"}, {"&gt;", ">"}, {"&#34;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}};
   for (const auto& [entity, plain] : entities) {
     for (auto at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1)) {
       text.replace(at, entity.size(), plain);
@@ -68,7 +68,7 @@ TEST(Report, PageIsStrictlyWellFormedAndSelfContained) {
                   vtkXMLUtilities::ReadElementFromString(report.page.c_str())) != nullptr);
   EXPECT_FALSE(std::regex_search(report.page, std::regex("<script[^>]*\\ssrc")));
   EXPECT_THAT(report.page, Not(HasSubstr("<b>break")));
-  EXPECT_THAT(report.page, HasSubstr("Dam &lt;b&gt;break&lt;/b&gt; &amp; &quot;more&quot;"));
+  EXPECT_THAT(report.page, HasSubstr("Dam &lt;b&gt;break&lt;/b&gt; &amp; &#34;more&#34;"));
   EXPECT_FALSE(std::regex_search(
       report.page, std::regex("(src|<link|@import|url\\()\\s*=?\\s*['\"]?(https?:|figures/)")));
   // An id names one element.
