@@ -37,6 +37,7 @@ void bless_run(const Arguments& arguments) {
   const Provenance measured = provenance_now(arguments.reason);
   const FrontOptions options = arguments.front.get(std::nullopt);
   const MeasuredRun run = measure(open_run(arguments.run, arguments.files.get()), options);
+  print_notices(run.run);
   const Tolerances tolerances{DimensionlessLength(arguments.tolerance_front),
                               DimensionlessTime(arguments.tolerance_time)};
   const Baseline baseline = bless(run, options, tolerances, measured);
@@ -56,6 +57,7 @@ int check_run(const Arguments& arguments) {
   options.strip_height = baseline.strip_height;
   options.linking_length = baseline.linking_length;
   const MeasuredRun run = measure(open_run(arguments.run, arguments.files.get()), options);
+  print_notices(run.run);
   const std::vector<Finding> findings = check(run, baseline);
   print_findings(findings);
   const auto failed = std::count_if(findings.begin(), findings.end(),

@@ -24,6 +24,7 @@ void run_front(const Arguments& arguments) {
   Run run = open_run(arguments.source, arguments.files.get());
   const FrontHistory history = measure_front(run, options);
   write_front_csv(arguments.out, history, run.physics.scales());
+  print_notices(run);
   const std::size_t frames = run.frames->times().size();
   std::printf("%s: %zu frames, L = %g m, strip %g m: %s\n", run.name.c_str(), history.size(),
               run.physics.column_width().value(), options.strip_height.value(),

@@ -62,6 +62,7 @@ void run_metrics(const Arguments& arguments) {
     // Options about foreign files are for those only; runs with a manifest state their case.
     const bool stated = std::filesystem::exists(path / "manifest.json");
     runs.push_back(measure(open_run(path, stated ? own : files), options.front));
+    print_notices(runs.back().run);
   }
   const nlohmann::json result = metrics(runs, arguments.study.reference(study), published, options);
   write_json(arguments.out, result);

@@ -1,6 +1,7 @@
 #include "compare/commands/command_options.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "particle/support/error.hpp"
 
@@ -140,6 +141,11 @@ std::vector<PublishedSeries> StudyArguments::published(const std::optional<Study
       series.push_back(read_series(folder / (name + ".csv")));
   }
   return series;
+}
+
+void print_notices(const Run& run) {
+  for (const std::string& notice : run.notices)
+    std::fprintf(stderr, "%s: notice: %s\n", run.name.c_str(), notice.c_str());
 }
 
 }  // namespace surge::compare

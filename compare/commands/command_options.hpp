@@ -61,4 +61,7 @@ class StudyArguments {
   std::vector<std::string> published_;
 };
 
+/// What was left out of a source or assumed about it, a line each on the standard error.
+void print_notices(const Run& run);
+
 }  // namespace surge::compare

@@ -19,7 +19,7 @@ std::string preamble(const Figure& figure) {
   const auto pixels = [](double mm) { return std::to_string(std::lround(mm / 25.4 * 96.0)); };
   const auto cm = [](double mm) { return fixed_text(mm / 10.0, 2) + "cm"; };
   std::ostringstream out;
-  out << "# " << figure.title << "\n# Draws " << figure.name << ".svg and " << figure.name
+  out << "# " << plot_string(figure.title) << "\n# Draws " << figure.name << ".svg and " << figure.name
       << ".pdf again: gnuplot " << figure.name << ".gp\n"
       << "do for [kind in \"svg pdf\"] {\n"
       << "if (kind eq \"svg\") { set terminal svg enhanced size " << pixels(figure.width_mm) << ','
@@ -56,14 +56,20 @@ std::string draw(const Figure& figure, const fs::path& folder) {
   return said;
 }
 
+// gnuplot runs what stands between backquotes, in double quotes too; the octal code is a backquote
+// that runs nothing. Other control characters than line breaks have no place in a label.
 std::string plot_string(const std::string& text) {
   std::string result;
-  for (char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n')
+  for (const char c : text) {
+    if (c == '\n') {
       result += "\\n";
-    else
+    } else if (c == '"' || c == '\\') {
+      result += std::string("\\") + c;
+    } else if (c == '`') {
+      result += "\\140";
+    } else if (static_cast<unsigned char>(c) >= ' ' && c != '\x7f') {
       result += c;
+    }
   }
   return '"' + result + '"';
 }

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "compare/measure/pieces.hpp"
+#include "compare/read/pieces.hpp"
 
 namespace surge::compare {
 namespace {

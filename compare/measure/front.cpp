@@ -4,7 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "compare/measure/pieces.hpp"
+#include "compare/read/pieces.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/table.hpp"
 
@@ -14,6 +15,62 @@ namespace {
 /// Part of the way from a to b, 0 where they coincide.
 double part(double value, double a, double b) {
   return b == a ? 0.0 : (value - a) / (b - a);
+}
+
+/// Z is the distance of the front from the wall that the column stands at, towards +x: the first
+/// frame must show just that column, or the number means something else.
+void check_start(const Run& run, const FrontSample& first) {
+  const Physics& physics = run.physics;
+  const double slack = 2.0 * run.spacing.value();
+  const auto place = [](double x) { return number_text(std::round(x * 1e6) / 1e6) + " m"; };
+  const bool walls_known = physics.tank && std::isfinite(physics.tank->upper[0]);
+  if (walls_known && physics.column.upper[0] > physics.tank->upper[0] - slack &&
+      physics.column.lower[0] > physics.tank->lower[0] + slack) {
+    throw Error(run.path.string() +
+                ": the column stands at the far wall, x = " + place(physics.tank->upper[0]) +
+                "; expected one whose leading edge runs towards +x (mirror the case)");
+  }
+  if (std::abs(first.time.value()) > 1e-9) return;
+  const double edge = first.position.value();
+  const double width = physics.column_width().value();
+  if (std::abs(edge - width) <= slack) return;
+  throw Error(run.path.string() + ": first frame: the leading edge is " + place(edge) +
+              " from the column's wall, the column " + place(width) +
+              " wide; expected the edge of the column (water lying in the tank, or a second body "
+              "of water? Then the leading edge is not what to measure)");
+}
+
+/// Water that falls from the height H is at most about 2 sqrt(g H) fast, and a column that has
+/// collapsed for long has moved: a time step or a unit that is typed wrong shows here.
+void check_speed(const Run& run, const FrontHistory& history) {
+  if (run.kind != SourceKind::particle_series || history.size() < 2) return;
+  const Physics& physics = run.physics;
+  const auto up = static_cast<std::size_t>(physics.vertical_axis());
+  const double height = physics.column.upper[up] - physics.column.lower[up];
+  const double scale = std::sqrt(2.0 * physics.gravity_magnitude() * height);
+  double fastest = 0.0;
+  for (const FrontSample& sample : history) {
+    const double time = (sample.time - history.front().time).value();
+    const double path = (sample.position - history.front().position).value();
+    // What a front jumps by when pieces join does not count as speed.
+    if (time > 0.0) fastest = std::max(fastest, (path - 4.0 * run.spacing.value()) / time);
+  }
+  if (fastest > 3.0 * scale) {
+    throw Error(run.path.string() + ": the leading edge moves at up to " + number_text(fastest) +
+                " m/s, three times sqrt(2 g H) = " + number_text(scale) +
+                " m/s are expected at most (--time-step; lengths in millimetres?)");
+  }
+  const double moved = (history.back().position - history.front().position).value();
+  const double time = (history.back().time - history.front().time).value();
+  const bool long_enough = time * scale > 10.0 * height;
+  const bool at_wall =
+      physics.far_wall() &&
+      history.back().position.value() > physics.far_wall()->value() - 4.0 * run.spacing.value();
+  if (long_enough && !at_wall && moved > run.spacing.value() && moved / time < 0.03 * scale) {
+    throw Error(run.path.string() + ": the leading edge needs " + number_text(time) + " s for " +
+                number_text(moved) + " m, a collapse with sqrt(2 g H) = " + number_text(scale) +
+                " m/s is faster (--time-step)");
+  }
 }
 
 }  // namespace
@@ -74,12 +131,15 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
     }
     if (!edge) break;
     history.push_back({times[i], Metres(*edge - wall)});
+    if (history.size() == 1 && !options.raw_maximum) check_start(run, history.front());
   }
   if (history.empty()) {
     throw Error(run.path.string() + ": no water connected to the main body within " +
                 std::to_string(options.strip_height.value()) +
                 " m above the floor at the first frame");
   }
+  check_speed(run, history);
+  for (const std::string& notice : run.frames->notices()) run.notices.push_back(notice);
   return history;
 }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "compare/measure/front.hpp"
-#include "compare/measure/union_find.hpp"
+#include "compare/read/union_find.hpp"
 
 namespace surge::compare {
 namespace {

@@ -7,8 +7,10 @@
 #include <vtkPOpenFOAMReader.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "compare/read/foam_times.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
 
@@ -21,8 +23,10 @@ namespace fs = std::filesystem;
 /// one, so everything is checked here.
 class FoamReader : public FrameReader {
  public:
-  FoamReader(fs::path folder, bool decomposed, std::string alpha)
-      : folder_(std::move(folder)), alpha_(std::move(alpha)) {
+  FoamReader(fs::path folder, bool decomposed, std::string alpha, FoamTimes complete)
+      : folder_(std::move(folder)),
+        alpha_(std::move(alpha)),
+        notices_(std::move(complete.notices)) {
     const VtkErrors errors;
     reader_->SetController(controller_);
     // Any file of the case's system folder names the case.
@@ -37,13 +41,19 @@ class FoamReader : public FrameReader {
     reader_->UpdateInformation();
     errors.check(folder_);
     vtkDoubleArray* times = reader_->GetTimeValues();
-    for (vtkIdType i = 0; times && i < times->GetNumberOfTuples(); ++i)
-      times_.emplace_back(times->GetValue(i));
+    for (vtkIdType i = 0; times && i < times->GetNumberOfTuples(); ++i) {
+      const Seconds time(times->GetValue(i));
+      const bool usable = std::any_of(complete.times.begin(), complete.times.end(), [&](Seconds t) {
+        return std::abs((t - time).value()) <= 1e-12 + 1e-9 * std::abs(t.value());
+      });
+      if (usable) times_.push_back(time);
+    }
     reader_->DisableAllPatchArrays();
     reader_->SetPatchArrayStatus("internalMesh", 1);
   }
 
   [[nodiscard]] const std::vector<Seconds>& times() const override { return times_; }
+  [[nodiscard]] std::vector<std::string> notices() const override { return notices_; }
 
   [[nodiscard]] Frame read(std::size_t index, Fields fields) override {
     MeshFrame frame;
@@ -102,7 +112,19 @@ class FoamReader : public FrameReader {
   vtkNew<vtkDummyController> controller_;
   vtkNew<vtkPOpenFOAMReader> reader_;
   std::vector<Seconds> times_;
+  std::vector<std::string> notices_;
 };
+
+/// The volume fraction of the water: as the user names it, or the only one that there is.
+std::string alpha_of(const fs::path& folder, const std::string& asked) {
+  const std::vector<std::string> found = foam_phases(folder);
+  if (found.empty() || std::find(found.begin(), found.end(), asked) != found.end()) return asked;
+  if (found.size() == 1 && asked == SourceOptions{}.alpha_array) return found.front();
+  std::string names;
+  for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
+  throw Error(folder.string() + ": no " + asked + ", found " + names +
+              "; expected the one of the water (--alpha-array)");
+}
 
 }  // namespace
 
@@ -110,18 +132,25 @@ std::unique_ptr<FrameReader> open_foam_case(const fs::path& folder, const Source
   if (!fs::is_regular_file(folder / "system" / "controlDict")) {
     throw Error(folder.string() + ": no system/controlDict found, an OpenFOAM case expected");
   }
+  const std::vector<fs::path> processors = foam_processors(folder);
+  const std::string alpha =
+      alpha_of(processors.empty() ? folder : processors.front(), options.alpha_array);
   std::unique_ptr<FrameReader> best;
-  for (const auto& [mesh, decomposed] : {std::pair{folder / "constant" / "polyMesh", false},
-                                         {folder / "processor0" / "constant" / "polyMesh", true}}) {
-    if (!fs::is_directory(mesh)) continue;
-    auto reader = std::make_unique<FoamReader>(folder, decomposed, options.alpha_array);
+  for (const bool decomposed : {false, true}) {
+    if (decomposed && processors.empty()) continue;
+    const fs::path& first = decomposed ? processors.front() : folder;
+    if (!fs::is_directory(first / "constant" / "polyMesh")) continue;
+    auto reader = std::make_unique<FoamReader>(
+        folder, decomposed, alpha,
+        foam_times(decomposed ? processors : std::vector<fs::path>{folder}, alpha));
     if (!best || reader->times().size() > best->times().size()) best = std::move(reader);
   }
+  refuse_collated(folder, alpha);
   if (!best)
     throw Error(folder.string() +
                 ": no constant/polyMesh found, a case with its mesh expected (blockMesh)");
   if (best->times().empty())
-    throw Error(folder.string() + ": no time folder found, results expected");
+    throw Error(folder.string() + ": no time folder with " + alpha + " found, results expected");
   return best;
 }
 

@@ -1,15 +1,11 @@
 #include <vtkDataArray.h>
-#include <vtkDataArraySelection.h>
-#include <vtkDataSetReader.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
@@ -19,46 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
-
-template <class Reader>
-vtkSmartPointer<vtkPointSet> read_xml(const fs::path& file, const Names& arrays) {
-  vtkNew<Reader> reader;
-  reader->SetFileName(file.c_str());
-  reader->UpdateInformation();
-  reader->GetCellDataArraySelection()->DisableAllArrays();
-  vtkDataArraySelection* selection = reader->GetPointDataArraySelection();
-  selection->DisableAllArrays();
-  for (const std::string& name : arrays) {
-    if (selection->ArrayExists(name.c_str())) selection->EnableArray(name.c_str());
-  }
-  reader->Update();
-  return vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
-}
-
-vtkSmartPointer<vtkPointSet> read_legacy(const fs::path& file) {
-  vtkNew<vtkDataSetReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->ReadAllFieldsOn();
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->Update();
-  return vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
-}
-
-/// The points of a file with those of the named arrays that it has.
-vtkSmartPointer<vtkPointSet> read_points(const fs::path& file, const Names& arrays) {
-  if (!fs::is_regular_file(file)) throw Error(file.string() + ": no such file");
-  const VtkErrors errors;
-  vtkSmartPointer<vtkPointSet> points;
-  const std::string extension = file.extension().string();
-  if (extension == ".vtp") points = read_xml<vtkXMLPolyDataReader>(file, arrays);
-  if (extension == ".vtu") points = read_xml<vtkXMLUnstructuredGridReader>(file, arrays);
-  if (extension == ".vtk") points = read_legacy(file);
-  errors.check(file);
-  if (!points || points->GetNumberOfPoints() == 0)
-    throw Error(file.string() + ": no points found, particles expected");
-  return points;
-}
 
 vtkDataArray& require_array(vtkPointSet& points, const std::string& name, int components,
                             const fs::path& file) {
@@ -75,15 +31,6 @@ vtkDataArray& require_array(vtkPointSet& points, const std::string& name, int co
   return *array;
 }
 
-std::optional<Seconds> stated_time(const fs::path& file) {
-  const vtkSmartPointer<vtkPointSet> points = read_points(file, {});
-  for (const char* name : {"TimeValue", "TIME"}) {
-    vtkDataArray* array = points->GetFieldData()->GetArray(name);
-    if (array && array->GetNumberOfTuples() > 0) return Seconds(array->GetComponent(0, 0));
-  }
-  return std::nullopt;
-}
-
 class ParticleReader : public FrameReader {
  public:
   ParticleReader(std::vector<SeriesEntry> entries, const SourceOptions& options)
@@ -95,6 +42,7 @@ class ParticleReader : public FrameReader {
                     " s found, a later one than of the file before expected");
       }
     }
+    find_gaps();
   }
 
   [[nodiscard]] const std::vector<Seconds>& times() const override { return times_; }
@@ -103,6 +51,7 @@ class ParticleReader : public FrameReader {
     ParticleFrame frame;
     frame.time = times_.at(index);
     for (const fs::path& file : entries_[index].files) append(frame, file, fields);
+    count_nonfinite(frame, index);
     if (frame.position.empty()) {
       throw Error(entries_[index].files[0].string() + ": no fluid particle found (array " +
                   options_.type_array + ", value " + std::to_string(options_.fluid_type) +
@@ -111,14 +60,60 @@ class ParticleReader : public FrameReader {
     return frame;
   }
 
+  [[nodiscard]] std::vector<std::string> notices() const override {
+    std::vector<std::string> lines = gaps_;
+    if (!nonfinite_.empty()) {
+      std::size_t most = 0;
+      for (const auto& [index, count] : nonfinite_) most = std::max(most, count);
+      lines.push_back("particles that are not finite are left out: up to " + std::to_string(most) +
+                      " in " + std::to_string(nonfinite_.size()) + " frames, first at " +
+                      std::to_string(times_[nonfinite_.begin()->first].value()) + " s");
+    }
+    return lines;
+  }
+
  private:
+  /// A few lost particles are counted; a frame of which a tenth is not finite is no result.
+  void count_nonfinite(const ParticleFrame& frame, std::size_t index) {
+    if (frame.nonfinite == 0) return;
+    nonfinite_[index] = frame.nonfinite;
+    const std::size_t all = frame.nonfinite + frame.position.size();
+    if (10 * frame.nonfinite <= all) return;
+    throw Error(entries_[index].files[0].string() + ": " + std::to_string(frame.nonfinite) +
+                " of " + std::to_string(all) +
+                " fluid particles are not finite, at most a tenth expected");
+  }
+
+  /// Files are often numbered by steps: what most neighbours differ by is the rule, not one.
+  void find_gaps() {
+    long long stride = std::numeric_limits<long long>::max();
+    for (std::size_t i = 1; i < entries_.size(); ++i)
+      if (entries_[i].number && entries_[i - 1].number)
+        stride = std::min(stride, *entries_[i].number - *entries_[i - 1].number);
+    for (std::size_t i = 1; i < entries_.size(); ++i) {
+      const auto before = entries_[i - 1].number, here = entries_[i].number;
+      if (!before || !here || *here - *before == stride) continue;
+      gaps_.push_back("no file between " + entries_[i - 1].files[0].filename().string() + " and " +
+                      entries_[i].files[0].filename().string() + ": a gap in the series");
+    }
+  }
+
   [[nodiscard]] Seconds time_of_entry(std::size_t i) const {
-    if (options_.time_step) return static_cast<double>(i) * *options_.time_step;
+    if (options_.time_step && entries_[i].time) {
+      throw Error(entries_[i].files[0].string() +
+                  ": its collection states times, so --time-step is not for it");
+    }
+    if (options_.time_step) {
+      const auto count = entries_[i].number.value_or(static_cast<long long>(i));
+      return static_cast<double>(count) * *options_.time_step;
+    }
     if (entries_[i].time) return *entries_[i].time;
     const auto time = stated_time(entries_[i].files[0]);
     if (!time) {
-      throw Error(entries_[i].files[0].string() +
-                  ": no TimeValue found, one in each file or --time-step expected");
+      throw Error(
+          entries_[i].files[0].string() +
+          ": no time found (field data TimeValue, TIME, Time or time): one in each file, or "
+          "--time-step, the seconds from one number in the names to the next, expected");
     }
     return *time;
   }
@@ -157,6 +152,8 @@ class ParticleReader : public FrameReader {
   std::vector<SeriesEntry> entries_;
   SourceOptions options_;
   std::vector<Seconds> times_;
+  std::map<std::size_t, std::size_t> nonfinite_;  ///< per frame that has any
+  std::vector<std::string> gaps_;
 };
 
 }  // namespace

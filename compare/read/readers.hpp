@@ -10,6 +10,7 @@
 
 class vtkStringOutputWindow;
 class vtkOutputWindow;
+class vtkPointSet;
 
 namespace surge::compare {
 
@@ -21,7 +22,7 @@ class VtkErrors {
   VtkErrors(const VtkErrors&) = delete;
   VtkErrors& operator=(const VtkErrors&) = delete;
   ~VtkErrors();
-  /// Throws surge::Error `file: message` if VTK reported an error.
+  /// Throws surge::Error `file: message` if VTK reported an error or warned.
   void check(const std::filesystem::path& file) const;
 
  private:
@@ -31,12 +32,22 @@ class VtkErrors {
 
 /// Files that make up one time of a series.
 struct SeriesEntry {
-  std::optional<Seconds> time;  ///< as a collection (.pvd) gives it
+  std::optional<Seconds> time;      ///< as a collection (.pvd) gives it
+  std::optional<long long> number;  ///< in the name of the file, where that orders the series
   std::vector<std::filesystem::path> files;
 };
 
 /// The entries of a .pvd, of a folder of numbered .vtp/.vtu/.vtk files, or of a pattern with `*`.
 [[nodiscard]] std::vector<SeriesEntry> list_series(const std::filesystem::path& path);
+
+/// The points of a .vtp, .vtu or .vtk file with those of the named arrays that it has; with all of
+/// its arrays where no names are given. Throws surge::Error where the file is cut short, holds no
+/// point, or is a mesh.
+[[nodiscard]] vtkSmartPointer<vtkPointSet> read_points(
+    const std::filesystem::path& file, const std::optional<std::vector<std::string>>& arrays);
+
+/// The time in a file's field data: TimeValue, TIME, Time or time; empty where there is none.
+[[nodiscard]] std::optional<Seconds> stated_time(const std::filesystem::path& file);
 
 /// Reader of particle files: only the points and the arrays that are asked for are read.
 [[nodiscard]] std::unique_ptr<FrameReader> open_particle_series(std::vector<SeriesEntry> entries,

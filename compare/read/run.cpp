@@ -9,8 +9,10 @@
 #include <set>
 
 #include "compare/measure/front.hpp"
+#include "compare/read/first_frame.hpp"
 #include "compare/read/foam_dictionary.hpp"
 #include "compare/read/readers.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -43,11 +45,35 @@ void require_start(const Run& run, const std::string& option) {
   }
 }
 
+/// What the files of a series do not say and the user has not said, asked for all at once with what
+/// was found.
+void ask_for_missing(const fs::path& path, const fs::path& first, bool has_time,
+                     const SourceOptions& options) {
+  const std::vector<ArrayFound> arrays = arrays_of(first);
+  const bool has_usual_type = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayFound& a) {
+    return a.name == options.type_array;
+  });
+  std::string missing;
+  const auto ask = [&](const std::string& what) { missing += "\n  " + what; };
+  if (!options.spacing) ask("--spacing: particle spacing in m");
+  if (!options.gravity) ask("--gravity: m/s2");
+  if (!has_time) ask("--time-step: seconds from one number in the file names to the next");
+  if (!options.type_required && !has_usual_type) {
+    for (const ArrayFound& array : arrays) {
+      if (!array.looks_like_a_type()) continue;
+      ask("--type-array and --fluid-type: \"" + array.name + "\" looks like a type");
+    }
+  }
+  if (missing.empty()) return;
+  std::string found;
+  for (const ArrayFound& array : arrays) found += "\n  " + array.text();
+  throw Error(path.string() + ": expected, because the files do not say it:" + missing +
+              "\nfound in " + first.filename().string() +
+              (found.empty() ? ": points without arrays" : ", point arrays:" + found));
+}
+
 /// Column and tank of a foreign particle series: from its first frame and from what the user says.
 void apply_series(Run& run, const SourceOptions& options) {
-  if (!options.spacing)
-    throw Error(run.path.string() + ": --spacing (particle spacing in m) expected");
-  if (!options.gravity) throw Error(run.path.string() + ": --gravity (m/s2) expected");
   run.method = "particles";
   run.spacing = *options.spacing;
   const auto up = static_cast<std::size_t>(options.vertical_axis);
@@ -63,6 +89,7 @@ void apply_series(Run& run, const SourceOptions& options) {
     physics.column.lower[a] -= 0.5 * run.spacing.value();
     physics.column.upper[a] += 0.5 * run.spacing.value();
   }
+  check_first_frame(run, frame, options);
   if (!options.column_width) require_start(run, "--column-width");
 }
 
@@ -187,6 +214,12 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
     const std::optional<double> edge = MeshFront().leading_edge(frame, physics, whole);
     if (!edge)
       throw Error(run.path.string() + ": no water at time 0, a column or --column-width expected");
+    if (*edge > physics.tank->upper[0] - 1.5 * run.spacing.value()) {
+      throw Error(run.path.string() +
+                  ": the water reaches the far wall, x = " + number_text(physics.tank->upper[0]) +
+                  " m, at time 0 (a layer of water in the tank, or a column there?); expected a "
+                  "column with a free side, or its width (--column-width)");
+    }
     physics.column.upper[0] = *edge;
   }
 }
@@ -213,6 +246,7 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
     run.kind = SourceKind::particle_run;
     run.frames = open_particle_series(list_series(run.path / "particles.pvd"),
                                       without_foreign_names(options));
+    check_first_frame(run, std::get<ParticleFrame>(run.frames->read(0, Fields{})), options);
   } else {
     if (folder && !has_particle_files(run.path)) {
       throw Error(run.path.string() +
@@ -221,7 +255,11 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
                   "OpenFOAM case or a series of particle files expected");
     }
     run.kind = SourceKind::particle_series;
-    run.frames = open_particle_series(list_series(run.path), options);
+    std::vector<SeriesEntry> entries = list_series(run.path);
+    const fs::path first = entries.front().files.front();
+    const bool has_time = options.time_step || entries.front().time || stated_time(first);
+    ask_for_missing(run.path, first, has_time, options);
+    run.frames = open_particle_series(std::move(entries), options);
     apply_series(run, options);
   }
   if (!stated) apply_options(run, options);

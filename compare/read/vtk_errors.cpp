@@ -1,6 +1,8 @@
 #include <vtkLogger.h>
 #include <vtkStringOutputWindow.h>
 
+#include <algorithm>
+
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
 
@@ -20,7 +22,8 @@ VtkErrors::~VtkErrors() {
 
 void VtkErrors::check(const std::filesystem::path& file) const {
   const std::string text = window_->GetOutput();
-  const auto start = text.find("ERROR");
+  // A warning, too: readers warn of a file that is cut short and go on with what they have.
+  const auto start = std::min(text.find("ERROR"), text.find("Warning"));
   if (start == std::string::npos) return;
   // "ERROR: In <source file>, line <n>\n<class> (<address>): <message>\n\n"
   auto message = text.find("): ", start);

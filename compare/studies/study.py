@@ -35,6 +35,10 @@ FOAM_OUTPUT = re.compile(
 )
 
 
+# What may be set in a dictionary of OpenFOAM, where ; ends an entry and # and $ start directives.
+FOAM_SETTING = re.compile(r"[A-Za-z]\w*=[\w.+\- ()]+", re.ASCII)
+
+
 class StudyError(Exception):
     """A mistake in a study, told in one line."""
 
@@ -218,6 +222,11 @@ def _run(table: dict, where: str) -> Run:
     belongs = value("group", lambda found: isinstance(found, str), "a text", "")
     if not belongs and role not in ROLES[:2]:
         raise StudyError(f"{where}: group: found nothing, expected what a run of role {role} belongs to")
+    if program == "interFoam":
+        for setting in table.get("set", []):
+            if isinstance(setting, str) and not FOAM_SETTING.fullmatch(setting):
+                raise StudyError(f"{where}: set: found {setting!r}, expected 'name=value' of letters, "
+                                 "digits, blanks and . + - ( ) _, which a dictionary takes as it is")
     case_there = os.path.isdir if program == "interFoam" else os.path.isfile
     is_text = lambda found: isinstance(found, str)
     return Run(

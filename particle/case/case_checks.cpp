@@ -15,6 +15,8 @@ namespace {
 
 constexpr std::array<const char*, 3> axis{"x", "y", "z"};
 constexpr double relative_tolerance = 1e-9;
+constexpr double most_frames = 1e6;
+constexpr double most_steps = 1e12;
 
 std::string indexed(const char* table, std::size_t i) {
   return std::string(table) + "." + std::to_string(i);
@@ -57,6 +59,7 @@ class Checker {
     check_speed();
     check_bodies("obstacle");
     check_overlaps();
+    check_thickness();
     check_probes();
     check_size();
   }
@@ -67,6 +70,52 @@ class Checker {
       throw root_.table("time").error(
           "initial_step", number_text(case_.time.initial_step),
           "at most time.maximum_step = " + number_text(case_.time.maximum_step));
+    }
+    // Frames and steps are counted in whole numbers.
+    const double steps = case_.time.end / case_.time.maximum_step;
+    if (!(steps <= most_steps)) {
+      throw root_.table("time").error(
+          "end", number_text(case_.time.end) + " s, which takes " + number_text(steps) + " steps",
+          "at most " + number_text(most_steps) + " steps of time.maximum_step");
+    }
+    const double frames = case_.time.end / case_.output_interval;
+    if (!(frames <= most_frames)) {
+      throw root_.table("output").error(
+          "interval",
+          number_text(case_.output_interval) + " s, which makes " + number_text(frames) + " frames",
+          "at most " + number_text(most_frames) + " frames until time.end");
+    }
+  }
+
+  /// Whether water can be on a side of an obstacle: there is more than a spacing to the tank's
+  /// wall.
+  [[nodiscard]] bool has_room(const Box& box, std::size_t a, bool upper) const {
+    if (!case_.has_tank || case_.tank.periodic[a]) return true;
+    const double gap =
+        upper ? case_.tank.box.upper[a] - box.upper[a] : box.lower[a] - case_.tank.box.lower[a];
+    return gap > 0.5 * case_.spacing;
+  }
+
+  /// Particles act on each other through a wall that is thinner than their radius of interaction.
+  void check_thickness() const {
+    const std::vector<TomlTable> tables = root_.tables("obstacle");
+    const double radius = interaction_radius(case_);
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      const Box& box = case_.obstacles[i];
+      for (std::size_t a = 0; a < dimension_; ++a) {
+        const double thickness = box.upper[a] - box.lower[a];
+        if (thickness >= radius * (1.0 - relative_tolerance)) continue;
+        if (!has_room(box, a, false) || !has_room(box, a, true)) continue;
+        const std::string finer =
+            number_text(std::floor(1e6 * case_.spacing * thickness / radius) / 1e6);
+        throw tables[i].error(
+            "upper",
+            "a wall " + number_text(std::round(thickness * 1e9) / 1e9) + " m thick along " +
+                axis[a] + " with room for water on both sides",
+            "at least " + number_text(std::round(radius * 1e9) / 1e9) +
+                " m, over which particles act on each other, or a spacing of at most " + finer +
+                " m");
+      }
     }
   }
 
@@ -201,6 +250,7 @@ class Checker {
         throw tables[i].error("name", '"' + probe.name + "\" twice", "different names");
       }
       if (case_.has_tank) check_probe_inside(tables[i], probe);
+      check_probe_outside(tables[i], probe);
     }
   }
 
@@ -212,6 +262,19 @@ class Checker {
                           "a place inside the tank, between " + number_text(tank.lower[a]) +
                               " and " + number_text(tank.upper[a]));
       }
+    }
+  }
+
+  /// In an obstacle there is no water whose pressure could be read.
+  void check_probe_outside(const TomlTable& table, const Probe& probe) const {
+    for (std::size_t i = 0; i < case_.obstacles.size(); ++i) {
+      const Box& box = case_.obstacles[i];
+      bool inside = true;
+      for (std::size_t a = 0; a < dimension_; ++a)
+        inside = inside && probe.position[a] > box.lower[a] && probe.position[a] < box.upper[a];
+      if (inside)
+        throw table.error("position", "a place inside " + indexed("obstacle", i),
+                          "a place that water can reach, or on the obstacle's surface");
     }
   }
 

@@ -154,14 +154,14 @@ TEST(CaseFile, ObstaclesNeedNoTank) {
     return parse_case(text, "open.toml", overrides);
   };
   // Anywhere, as there is no tank to be inside of.
-  const Case c = make({"obstacle.0.lower=[-0.05,-0.03]", "obstacle.0.upper=[0.09,0.0]"});
+  const Case c = make({"obstacle.0.lower=[-0.05,-0.04]", "obstacle.0.upper=[0.09,0.0]"});
   EXPECT_FALSE(c.has_tank);
   ASSERT_EQ(c.obstacles.size(), 1U);
-  EXPECT_EQ(c.obstacles[0].lower, (Point{-0.05, -0.03, 0.0}));
+  EXPECT_EQ(c.obstacles[0].lower, (Point{-0.05, -0.04, 0.0}));
   EXPECT_EQ(to_json(parse_case(to_toml(c), "again.toml")), to_json(c));
-  // Its cells are the only wall particles there are: 14 x 3 less the 12 x 1 below one layer.
+  // Its cells are the only wall particles there are: 14 x 4 less the 12 x 2 below one layer.
   const auto particles = initial_particles<2>(c, 1);
-  EXPECT_EQ(particles.size(), 32U + 14U * 3U - 12U);
+  EXPECT_EQ(particles.size(), 32U + 14U * 4U - 24U);
   EXPECT_EQ(std::count(particles.type.begin(), particles.type.end(), ParticleType::fluid), 32);
 
   const auto refused = [&](const std::vector<std::string>& overrides) -> std::string {
@@ -302,7 +302,8 @@ TEST(BadCaseFile, MissingEntriesNameTheTablesLine) {
 }
 
 TEST(CaseFile, PeriodOfTwoRadiiIsEnough) {
-  EXPECT_NO_THROW(make_case({"tank.periodic=[\"x\"]", "sph.h_over_l0=2.0"}));
+  EXPECT_NO_THROW(make_case({"tank.periodic=[\"x\"]", "sph.h_over_l0=2.0",
+                             "obstacle.0.lower=[0.0,0.1]", "obstacle.0.upper=[0.12,0.12]"}));
 }
 
 }  // namespace

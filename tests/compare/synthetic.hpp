@@ -58,6 +58,16 @@ inline std::filesystem::path write_text(const std::filesystem::path& file,
   return file;
 }
 
+/// The message of the error that an action throws; empty where it throws none.
+inline std::string refusal_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const surge::Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
 /// The message of the surge::Error that `action` throws; fails the test where it throws none.
 inline std::string error_of(const std::function<void()>& action) {
   try {
@@ -199,8 +209,12 @@ inline void write_run(const std::filesystem::path& folder, const std::vector<dou
                       const nlohmann::json& manifest = dam_break_manifest()) {
   write_text(folder / "manifest.json", manifest.dump());
   std::string list;
+  // As the manifest says, where it says it in a form that can be read.
+  const auto spacing = nlohmann::json::json_pointer("/case/spacing");
+  const bool stated = manifest.contains(spacing) && manifest.at(spacing).is_number() &&
+                      manifest.at(spacing).get<double>() > 0.0;
+  const double l0 = stated ? manifest.at(spacing).get<double>() : 0.005;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double l0 = 0.005;
     std::vector<Vec3> points = lattice({0, 0, 0}, {0.145, 0.29, 0}, l0);
     // Layers that end exactly at the edge, however far: the last particle is moved back to it.
     const double reach = edge(times[i]);

@@ -228,7 +228,8 @@ TEST(OpenRun, SaysWhatItExpected) {
   EXPECT_THAT(error_of([&] { (void)open_run(folder.path()); }), HasSubstr("neither manifest.json"));
   EXPECT_THAT(error_of([&] { (void)open_run(folder / "a_*.vtp"); }), HasSubstr("no frame found"));
   const auto text = write_text(folder / "a.txt", "x");
-  EXPECT_THAT(error_of([&] { (void)open_run(text); }), HasSubstr("a .pvd, a folder or a pattern"));
+  EXPECT_THAT(error_of([&] { (void)open_run(text); }),
+              HasSubstr("a .pvd, a .series, a folder or a pattern"));
   write_run(folder / "run", {0.0, 0.1}, surge);
   EXPECT_THAT(error_of([&] { (void)open_run(folder / "run", foreign()); }),
               HasSubstr("states the case"));

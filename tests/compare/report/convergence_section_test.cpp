@@ -35,8 +35,7 @@ class SyntheticLevels {
     manifest["wall_s"] = {{"total", seconds + 3.0}, {"setup", 1.0}, {"output", 2.0}};
     std::vector<double> times;
     for (double t = 0.0; t <= 0.22 + 1e-9; t += 0.01) times.push_back(t);
-    // The frames have particles of 5 mm, whose edge is measured with the spacing of the manifest.
-    const double lead = c * std::pow(spacing / 0.005, p) * length + 0.5 * (0.005 - spacing);
+    const double lead = c * std::pow(spacing / 0.005, p) * length;
     testing::write_run(
         files_.runs() / name, times,
         [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); },

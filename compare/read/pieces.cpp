@@ -1,4 +1,4 @@
-#include "compare/measure/pieces.hpp"
+#include "compare/read/pieces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <span>
 
-#include "compare/measure/union_find.hpp"
+#include "compare/read/union_find.hpp"
 
 namespace surge::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/measure/pieces.hpp"
+#include "compare/read/pieces.hpp"
 
 #include <gtest/gtest.h>
 
