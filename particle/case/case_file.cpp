@@ -139,15 +139,27 @@ Case checked(const TomlTable& root) {
   return c;
 }
 
+/// A file may hold a table for each method; an override of one that is not used is a mistake.
+Case used(Case c, std::span<const std::string> overrides) {
+  for (const std::string& override : overrides) {
+    for (const std::string_view name : method_names) {
+      if (name == c.method_name() || !override.starts_with(std::string(name) + ".")) continue;
+      throw Error("--set " + override + ": found an option of " + std::string(name) +
+                  ", expected one of the case's method, " + c.method_name());
+    }
+  }
+  return c;
+}
+
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return checked(TomlTable::read(file, overrides));
+  return used(checked(TomlTable::read(file, overrides)), overrides);
 }
 
 Case parse_case(std::string_view text, const std::string& source,
                 std::span<const std::string> overrides) {
-  return checked(TomlTable::parse(text, source, overrides));
+  return used(checked(TomlTable::parse(text, source, overrides)), overrides);
 }
 
 }  // namespace surge

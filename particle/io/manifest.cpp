@@ -1,5 +1,6 @@
 #include "particle/io/manifest.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 
@@ -35,6 +36,10 @@ void RunRecord::add(const StepReport& report) {
   wall_collisions += report.wall_collisions;
   particle_collisions += report.particle_collisions;
   ppe_iterations += report.ppe_iterations;
+  if (!report.ppe_converged) {
+    ++ppe_unconverged;
+    ppe_worst_residual = std::max(ppe_worst_residual, report.ppe_residual);
+  }
   ppe_setup += report.ppe_setup_s;
   ppe_solve += report.ppe_solve_s;
 }
@@ -66,6 +71,8 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
   j["particle_collisions"] = record.particle_collisions;
   if (c.method_name() == "mps") {
     j["ppe"] = {{"iterations", record.ppe_iterations},
+                {"unconverged", record.ppe_unconverged},
+                {"worst_residual", record.ppe_worst_residual},
                 {"setup_s", record.ppe_setup},
                 {"solve_s", record.ppe_solve}};
   }

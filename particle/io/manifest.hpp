@@ -29,10 +29,12 @@ struct RunRecord {
   long clipped = 0;
   long wall_collisions = 0;
   long particle_collisions = 0;
-  long ppe_iterations = 0;  ///< of all steps; the pressure solver of MPS
-  double ppe_setup = 0.0;   ///< s in all, preconditioner or factorisation
-  double ppe_solve = 0.0;   ///< s in all, the rest of it
-  long nonfinite = 0;       ///< values that were infinite or not a number
+  long ppe_iterations = 0;          ///< of all steps; the pressure solver of MPS
+  long ppe_unconverged = 0;         ///< steps whose pressure solver gave up
+  double ppe_worst_residual = 0.0;  ///< of these
+  double ppe_setup = 0.0;           ///< s in all, preconditioner or factorisation
+  double ppe_solve = 0.0;           ///< s in all, the rest of it
+  long nonfinite = 0;               ///< values that were infinite or not a number
 
   void add(const StepReport& report);
 };

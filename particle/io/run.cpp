@@ -49,7 +49,11 @@ long count_fluid(const Particles<D>& particles) {
 class Run {
  public:
   Run(const Case& c, const RunOptions& options, std::ostream& out)
-      : case_(c), folder_(options.folder), terminal_(options.terminal), out_(out) {
+      : case_(c),
+        folder_(options.folder),
+        lock_(options.folder),
+        terminal_(options.terminal),
+        out_(out) {
     omp_set_num_threads(options.threads);
     record_.threads = options.threads;
     record_.started = utc_now();
@@ -115,6 +119,12 @@ class Run {
          << record_.threads << (record_.threads == 1 ? " thread; " : " threads; ") << record_.frames
          << " frames, " << record_.lost_particles
          << " particles lost: " << (folder_ / "particles.pvd").string() << std::endl;
+    if (record_.ppe_unconverged > 0) {
+      out_ << "warning: the pressure solver gave up in " << record_.ppe_unconverged << " of "
+           << record_.steps << " steps, with a residual of up to "
+           << number_text(record_.ppe_worst_residual) << " (ppe_tolerance, ppe_max_iterations)"
+           << std::endl;
+    }
   }
 
   void write_manifest() {
@@ -124,6 +134,7 @@ class Run {
 
   const Case& case_;
   std::filesystem::path folder_;
+  FolderLock lock_;
   bool terminal_;
   std::ostream& out_;
   RunRecord record_;

@@ -301,6 +301,17 @@ TEST(BadCaseFile, MissingEntriesNameTheTablesLine) {
   }
 }
 
+TEST(CaseFile, OverrideOfAnotherMethodIsRefused) {
+  EXPECT_NO_THROW(make_case({"sph.h_over_l0=1.3"}));
+  try {
+    (void)make_case({"method.name=mps", "sph.h_over_l0=1.3"});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                testing::StartsWith("--set sph.h_over_l0=1.3: found an option of sph"));
+  }
+}
+
 TEST(CaseFile, PeriodOfTwoRadiiIsEnough) {
   EXPECT_NO_THROW(make_case({"tank.periodic=[\"x\"]", "sph.h_over_l0=2.0",
                              "obstacle.0.lower=[0.0,0.1]", "obstacle.0.upper=[0.12,0.12]"}));

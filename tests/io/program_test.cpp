@@ -140,7 +140,7 @@ TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   for (const std::string method : {"mps", "sph"}) {
     const Result result =
         run("run open.toml --out " + method + " --set method.name=" + method +
-            " --set obstacle.0.lower=[-0.05,-0.03]" + " --set obstacle.0.upper=[0.09,0.0] 2>&1");
+            " --set obstacle.0.lower=[-0.05,-0.04]" + " --set obstacle.0.upper=[0.09,0.0] 2>&1");
     ASSERT_EQ(result.status, 0) << result.output;
     const nlohmann::json j = manifest(method);
     EXPECT_EQ(j["finished"], true);

@@ -9,6 +9,7 @@
 
 #include "particle/mps/number_density.hpp"
 #include "particle/mps/solver.hpp"
+#include "particle/support/error.hpp"
 
 namespace surge::mps {
 namespace {
@@ -210,6 +211,39 @@ TEST(MpsSolver, PressureSolversAgree) {
   }
   EXPECT_LT(largest_difference(first, second), 1e-8);
   EXPECT_LT(largest_difference(third, second), 1e-8);
+}
+
+TEST(MpsSolver, PressureThatIsNotSolvedIsToldOrEndsTheRun) {
+  Case c = small_dam();
+  auto& params = std::get<Params>(c.method);
+  params.ppe_solver = PpeSolver::iccg;
+  EXPECT_TRUE(Solver<2>(c).step(1.0).ppe_converged);
+  // Before it is at 1e-10 it passes 0.1: some number of iterations ends between the two.
+  int told = 0;
+  int ended = 0;
+  for (params.ppe_max_iterations = 1; params.ppe_max_iterations <= 12;
+       ++params.ppe_max_iterations) {
+    try {
+      Solver<2> solver(c);
+      const StepReport report = solver.step(1.0);
+      if (report.ppe_converged) continue;
+      EXPECT_GT(report.ppe_residual, params.ppe_tolerance);
+      ++told;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the solver stopped after"), std::string::npos);
+      ++ended;
+    }
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(told + ended, 4);
+}
+
+TEST(MpsSolver, RadiusOfTheGradientIsWithinThatOfTheLaplacian) {
+  Case c = small_dam();
+  std::get<Params>(c.method).re_gradient = 4.1;
+  EXPECT_THROW(Solver<2>{c}, Error);
+  std::get<Params>(c.method).re_gradient = 4.0;
+  EXPECT_NO_THROW(Solver<2>{c});
 }
 
 TEST(MpsSolver, TheNumberOfThreadsDoesNotMatter) {
