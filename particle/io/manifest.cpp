@@ -4,7 +4,6 @@
 #include <ctime>
 #include <fstream>
 
-#include "particle/case/case_json.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge {
@@ -44,7 +43,7 @@ void RunRecord::add(const StepReport& report) {
   ppe_solve += report.ppe_solve_s;
 }
 
-std::string manifest_text(const RunRecord& record, const Case& c) {
+std::string manifest_text(const RunRecord& record, const Computation& computation) {
   const BuildInfo build = build_info();
   nlohmann::ordered_json j;
   j["program"] = "surge-particle";
@@ -69,7 +68,7 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
   j["clipped"] = record.clipped;
   j["wall_collisions"] = record.wall_collisions;
   j["particle_collisions"] = record.particle_collisions;
-  if (c.method_name() == "mps") {
+  if (computation.method->solves_pressure) {
     j["ppe"] = {{"iterations", record.ppe_iterations},
                 {"unconverged", record.ppe_unconverged},
                 {"worst_residual", record.ppe_worst_residual},
@@ -77,7 +76,7 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
                 {"solve_s", record.ppe_solve}};
   }
   j["nonfinite"] = record.nonfinite;
-  j["case"] = to_json(c);
+  j["case"] = to_json(computation);
   return j.dump(2) + '\n';
 }
 

@@ -26,7 +26,6 @@ constexpr double edge = 0.9;         ///< of the density under a flat surface; a
 constexpr double least_pivot = 0.3;  ///< of a corrected gradient; 1 on the full lattice
 /// A pressure whose equation holds to no more than this is none: the run ends.
 constexpr double largest_residual = 0.1;
-constexpr int wall_layers = 3;  ///< the paper's; the inner one carries pressure
 
 template <int D>
 double factor_of(const Params& params, double l0) {
@@ -67,8 +66,8 @@ Vec<D> to_nearest_face(const Box& box, const Vec<D>& x) {
 }  // namespace
 
 template <int D>
-Solver<D>::Solver(const Case& c)
-    : params_(std::get<Params>(c.method)),
+Solver<D>::Solver(const Case& c, const Params& params, Search search)
+    : params_(params),
       control_(c.time),
       spacing_(c.spacing),
       rho_(c.density),
@@ -83,8 +82,8 @@ Solver<D>::Solver(const Case& c)
       viscous_lambda_(laplacian_lambda<D>(Lambda::lattice, params_.re_laplacian, c.spacing)),
       collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
       walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
-      p_(initial_particles<D>(c, wall_layers)),
-      grid_(c.search, periodicity_of<D>(c)),
+      p_(initial_particles<D>(c, wall_layers(params))),
+      grid_(search, periodicity_of<D>(c)),
       periodicity_(periodicity_of<D>(c)),
       assembly_(re_laplacian_, laplacian_factor_, c.spacing,
                 params_.wall_coupling == WallCoupling::all),
