@@ -26,7 +26,8 @@ struct View {
   bool three_dimensional;
 
   explicit View(const Run& run)
-      : x_origin(run.physics.column.lower[0]),
+      : x_origin(run.physics.surge_direction() > 0.0 ? run.physics.column.lower[0]
+                                                     : run.physics.tank->lower[0]),
         floor(run.physics.floor()),
         length(run.physics.column_width().value()),
         up(static_cast<std::size_t>(run.physics.vertical_axis())),

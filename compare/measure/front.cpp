@@ -17,19 +17,12 @@ double part(double value, double a, double b) {
   return b == a ? 0.0 : (value - a) / (b - a);
 }
 
-/// Z is the distance of the front from the wall that the column stands at, towards +x: the first
-/// frame must show just that column, or the number means something else.
+/// Z is the distance of the front from the wall that the column stands at: the first frame must
+/// show just that column, or the number means something else.
 void check_start(const Run& run, const FrontSample& first) {
   const Physics& physics = run.physics;
   const double slack = 2.0 * run.spacing.value();
   const auto place = [](double x) { return number_text(std::round(x * 1e6) / 1e6) + " m"; };
-  const bool walls_known = physics.tank && std::isfinite(physics.tank->upper[0]);
-  if (walls_known && physics.column.upper[0] > physics.tank->upper[0] - slack &&
-      physics.column.lower[0] > physics.tank->lower[0] + slack) {
-    throw Error(run.path.string() +
-                ": the column stands at the far wall, x = " + place(physics.tank->upper[0]) +
-                "; expected one whose leading edge runs towards +x (mirror the case)");
-  }
   if (std::abs(first.time.value()) > 1e-9) return;
   const double edge = first.position.value();
   const double width = physics.column_width().value();
@@ -102,10 +95,15 @@ std::optional<double> leading_edge(const ParticleFrame& frame, const Physics& ph
                                    Metres spacing, const FrontOptions& options) {
   const double radius = 0.5 * spacing.value();
   std::optional<double> edge;
-  const auto reach = [&](double x) { edge = std::max(edge.value_or(x + radius), x + radius); };
+  const double direction = physics.surge_direction();
+  const auto reach = [&](double x) {
+    const double along = direction * x + radius;
+    edge = std::max(edge.value_or(along), along);
+  };
+  const auto found = [&] { return edge ? std::optional(direction * *edge) : edge; };
   if (options.raw_maximum) {
     for (const Vec3& x : frame.position) reach(x[0]);
-    return edge;
+    return found();
   }
   const auto up = static_cast<std::size_t>(physics.vertical_axis());
   const double top = physics.floor() + options.strip_height.value() * (1.0 + 1e-9);
@@ -113,11 +111,12 @@ std::optional<double> leading_edge(const ParticleFrame& frame, const Physics& ph
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     if (pieces.piece_of[i] == 0 && frame.position[i][up] <= top) reach(frame.position[i][0]);
   }
-  return edge;
+  return found();
 }
 
 FrontHistory measure_front(Run& run, const FrontOptions& options) {
-  const double wall = run.physics.column.lower[0];
+  const double wall = run.physics.column_wall();
+  const double direction = run.physics.surge_direction();
   const std::vector<Seconds>& times = run.frames->times();
   FrontHistory history;
   MeshFront mesh_front;
@@ -130,7 +129,7 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
       edge = mesh_front.leading_edge(std::get<MeshFrame>(frame), run.physics, options);
     }
     if (!edge) break;
-    history.push_back({times[i], Metres(*edge - wall)});
+    history.push_back({times[i], Metres(direction * (*edge - wall))});
     if (history.size() == 1 && !options.raw_maximum) check_start(run, history.front());
   }
   if (history.empty()) {

@@ -44,8 +44,9 @@ struct DimensionlessFront {
   [[nodiscard]] std::optional<DimensionlessTime> arrival(DimensionlessLength level) const;
 };
 
-/// x of the leading edge of one frame (m, the frame's own coordinate): the farthest x reached by
-/// water that is connected to the main body within the strip above the floor. Particles: centre
+/// x of the leading edge of one frame (m, the frame's own coordinate): the farthest x, seen from
+/// the wall that the column stands at (Physics::surge_direction()), reached by water that is
+/// connected to the main body within the strip above the floor. Particles: centre
 /// + l0/2, connected by the linking length. Mesh: the alpha = 0.5 contour of the corner values
 /// (means of the cells around), connected through the mesh. The main body is the connected
 /// region with the most water. Empty where it has no water in the strip.

@@ -299,8 +299,13 @@ std::optional<double> MeshFront::leading_edge(const MeshFrame& frame, const Phys
                          : physics.floor() + options.strip_height.value() * (1.0 + 1e-6);
   const auto up = static_cast<std::size_t>(physics.vertical_axis());
   Reach reach(up, top);
+  const double direction = physics.surge_direction();
+  const auto along = [&](Vec3 x) {
+    x[0] *= direction;
+    return x;
+  };
   for (std::size_t p = 0; p < body.size(); ++p) {
-    if (body[p]) reach.point(mesh.points[p]);
+    if (body[p]) reach.point(along(mesh.points[p]));
   }
   // Going round a face, the contour runs from where the water begins to where it ends next.
   for (const std::size_t f : mesh.faces_below(top, up)) {
@@ -316,10 +321,11 @@ std::optional<double> MeshFront::leading_edge(const MeshFrame& frame, const Phys
       if (wet(k) || !wet(k + 1) || !body[corner[(k + 1) % n]]) continue;
       std::size_t end = k + 1;
       while (wet(end + 1)) ++end;
-      reach.segment(crossing(k), crossing(end));
+      reach.segment(along(crossing(k)), along(crossing(end)));
     }
   }
-  return reach.edge();
+  const std::optional<double> edge = reach.edge();
+  return edge ? std::optional(direction * *edge) : edge;
 }
 
 MeshFront::Bodies MeshFront::pieces(const MeshFrame& frame, double level) {

@@ -139,6 +139,18 @@ int Physics::vertical_axis() const {
               ") found, a vector along -y or -z expected (the leading edge runs along x)");
 }
 
+double Physics::surge_direction() const {
+  if (!tank || !std::isfinite(tank->upper[0]) || !std::isfinite(tank->lower[0])) return 1.0;
+  const double slack = 0.02 * (column.upper[0] - column.lower[0]);
+  const bool at_upper = column.upper[0] > tank->upper[0] - slack;
+  const bool at_lower = column.lower[0] < tank->lower[0] + slack;
+  return at_upper && !at_lower ? -1.0 : 1.0;
+}
+
+double Physics::column_wall() const {
+  return surge_direction() > 0.0 ? column.lower[0] : column.upper[0];
+}
+
 Metres Physics::column_width() const {
   return Metres(column.upper[0] - column.lower[0]);
 }
@@ -154,6 +166,7 @@ double Physics::floor() const {
 
 std::optional<Metres> Physics::far_wall() const {
   if (!tank || !std::isfinite(tank->upper[0])) return std::nullopt;
+  if (surge_direction() < 0.0) return Metres(column.upper[0] - tank->lower[0]);
   return Metres(tank->upper[0] - column.lower[0]);
 }
 

@@ -43,6 +43,11 @@ struct Physics {
   /// Axis (0, 1, 2) that gravity points along; throws surge::Error where it is oblique, zero or
   /// along x, the direction of the surge.
   [[nodiscard]] int vertical_axis() const;
+  /// +1 where the water surges towards +x, -1 where the column stands at the tank's upper wall
+  /// along x, and not at the lower one.
+  [[nodiscard]] double surge_direction() const;
+  /// x of the wall that the column stands at, m.
+  [[nodiscard]] double column_wall() const;
   [[nodiscard]] Metres column_width() const;
   [[nodiscard]] Scales scales() const;
   /// Height of the tank's floor (of the column's foot where no tank is known), m.

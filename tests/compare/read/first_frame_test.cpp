@@ -167,19 +167,5 @@ TEST(NearestDistance, IsTheLatticesSpacing) {
   EXPECT_NEAR(nearest_distance(lattice({0, 0, 0}, {0.5, 0.5, 0.5}, 0.05)), 0.05, 1e-12);
 }
 
-TEST(OwnRuns, ColumnAtTheFarWallIsRefused) {
-  const TemporaryFolder folder;
-  nlohmann::json manifest = testing::dam_break_manifest();
-  manifest["case"]["tank"]["lower"] = {-0.435, 0.0, 0.0};
-  manifest["case"]["tank"]["upper"] = {0.145, 2.32, 0.0};
-  testing::write_run(
-      folder / "run", {0.0, 0.1}, [](double) { return 0.145; }, manifest);
-  EXPECT_THAT(error_of([&] {
-                auto run = open_run(folder / "run");
-                (void)measure_front(run, {});
-              }),
-              HasSubstr("the column stands at the far wall"));
-}
-
 }  // namespace
 }  // namespace surge::compare
