@@ -302,10 +302,11 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   return values;
 }
 
-std::vector<std::vector<double>> TomlTable::matrix(std::string_view key, std::size_t rows,
+std::vector<std::vector<double>> TomlTable::matrix(std::string_view key,
+                                                   std::optional<std::size_t> rows,
                                                    std::size_t columns) const {
-  const std::string expected =
-      std::to_string(rows) + " lists of " + std::to_string(columns) + " numbers";
+  const std::string expected = (rows ? std::to_string(*rows) : std::string("a list of")) +
+                               " lists of " + std::to_string(columns) + " numbers";
   std::vector<std::vector<double>> values;
   for (const toml::node& element : Access::array(*this, key, expected, rows)) {
     const toml::array* row = element.as_array();
@@ -344,6 +345,11 @@ bool TomlTable::has(std::string_view key) const {
   return Access::find(*this, key) != nullptr;
 }
 
+bool TomlTable::overridden(std::string_view key) const {
+  const toml::node* node = as_table(table_).get(key);
+  return node != nullptr && document_->overrides.contains(node);
+}
+
 std::string TomlTable::place(std::string_view key) const {
   const toml::table& table = as_table(table_);
   const std::string full = key.empty()     ? path_
@@ -359,6 +365,10 @@ Error TomlTable::error(std::string_view key, std::string_view found,
                        std::string_view expected) const {
   return Error(place(key) + ": found " + std::string(found) + ", expected " +
                std::string(expected));
+}
+
+std::filesystem::path TomlTable::folder() const {
+  return std::filesystem::path(document_->source).parent_path();
 }
 
 std::vector<std::string> TomlTable::keys() const {
