@@ -1,16 +1,18 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/run.hpp"
+#include "particle/io/run_size.hpp"
+#include "particle/support/printable.hpp"
 #include "particle/support/version.hpp"
 
 namespace {
@@ -20,12 +22,15 @@ struct Arguments {
   std::vector<std::string> overrides;
   surge::RunOptions run;
   bool options = false;
+  bool json = false;
 };
 
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
 
 int run(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
+  for (const std::string& note : surge::notes_on(computation))
+    std::cout << "note: " << note << '\n';
   const surge::RunEnd end = surge::run_case(computation, arguments.run, std::cout);
   return end == surge::RunEnd::interrupted ? exit_interrupted : 0;
 }
@@ -33,14 +38,23 @@ int run(const Arguments& arguments) {
 void check(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
   const surge::Case& c = computation.flow;
-  const surge::CaseSummary summary = surge::summarise(computation);
-  std::cout << c.title << "\n  dimension   " << c.dimension << "\n  method      "
+  const surge::RunSize size = surge::run_size(computation);
+  if (arguments.json) {
+    const nlohmann::json j{{"case", to_json(computation)}, {"size", to_json(size)}};
+    std::cout << j.dump(2) << '\n';
+    return;
+  }
+  const auto text = [](double value) { return surge::number_text(value); };
+  std::cout << surge::printable(c.title) << "\n  dimension   " << c.dimension << "\n  method      "
             << computation.method_name() << ", preset " << computation.preset << "\n  spacing     "
-            << c.spacing << " m\n  particles   " << summary.fluid_particles << " fluid, "
-            << summary.wall_particles << " wall\n  end         " << c.time.end
-            << " s, a frame every " << c.output_interval << " s\n  steps       about "
-            << std::lround(surge::estimated_steps(computation)) << ", the first "
-            << summary.first_step << " s\n";
+            << text(c.spacing) << " m\n  particles   " << text(size.particles.fluid) << " fluid, "
+            << text(size.particles.wall) << " wall\n  end         " << text(c.time.end) << " s, "
+            << text(size.frames) << " frames, one every " << text(c.output_interval)
+            << " s\n  steps       about " << text(size.steps) << ", the first "
+            << text(size.first_step) << " s\n  memory      about " << surge::bytes_text(size.memory)
+            << "\n  disk        about " << surge::bytes_text(size.disk) << '\n';
+  for (const std::string& note : surge::notes_on(computation))
+    std::cout << "note: " << note << '\n';
 }
 
 void list_options(const surge::Method& method) {
@@ -94,6 +108,8 @@ int run_program(int argc, char** argv) {
   CLI::App* check_command =
       app.add_subcommand("check", "read and check a case file, and say what it means");
   with_case(check_command);
+  check_command->add_flag("--json", arguments.json,
+                          "print the case as it was resolved, and the size of the run, as JSON");
   CLI::App* list_command = app.add_subcommand("list", "list the presets of the methods");
   list_command->add_flag("--options", arguments.options,
                          "list every option of the methods as well");
@@ -116,7 +132,7 @@ int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "surge-particle: " << error.what() << '\n';
+    std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
     return 1;
   }
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 
 #include "particle/case/divisions.hpp"
@@ -17,7 +16,7 @@ constexpr std::array<const char*, 3> axis{"x", "y", "z"};
 constexpr double relative_tolerance = 1e-9;
 constexpr double most_frames = 1e6;
 constexpr double most_steps = 1e12;
-constexpr double most_particles = 2e9;  ///< they are numbered in 32 bits
+constexpr double most_along_an_axis = 2e9;  ///< cells are numbered in 32 bits
 constexpr std::size_t most_bodies = 5000;
 
 std::string indexed(const char* table, std::size_t i) {
@@ -63,7 +62,6 @@ class Checker {
     check_moving_walls();
     check_overlaps();
     check_instruments(case_, root_);
-    check_size();
   }
 
  private:
@@ -102,9 +100,9 @@ class Checker {
                           from + ", " + number_text(std::round(count * 1e6) / 1e6) + " spacings",
                           division_advice(case_, extent));
       }
-      if (count > most_particles) {
+      if (count > most_along_an_axis) {
         throw table.error("upper", from + ", " + number_text(count) + " spacings",
-                          "at most " + number_text(most_particles));
+                          "at most " + number_text(most_along_an_axis));
       }
     }
   }
@@ -229,17 +227,6 @@ class Checker {
     }
   }
 
-  /// Particles are numbered in 32 bits.
-  void check_size() const {
-    if (fluid_particle_count(case_) > most_particles) {
-      throw root_.table("resolution")
-          .error("spacing",
-                 number_text(case_.spacing) + ", which makes " +
-                     number_text(fluid_particle_count(case_)) + " particles",
-                 "at most " + number_text(most_particles) + " particles");
-    }
-  }
-
   const Case& case_;
   const TomlTable& root_;
   std::size_t dimension_;
@@ -249,19 +236,6 @@ class Checker {
 
 void check_case(const Case& c, const TomlTable& root) {
   Checker(c, root).check();
-}
-
-double fluid_particle_count(const Case& c) {
-  double total = 0.0;
-  for (const FluidBlock& block : c.blocks) {
-    double count = 1.0;
-    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a) {
-      count *= std::round((block.box.upper[a] - block.box.lower[a]) / c.spacing);
-    }
-    const double ball_in_box = c.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
-    total += block.shape == FluidBlock::Shape::ball ? std::round(count * ball_in_box) : count;
-  }
-  return total;
 }
 
 }  // namespace surge

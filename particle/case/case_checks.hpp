@@ -34,7 +34,4 @@ void check_case_for(const MethodFacts& method, const Case& c, const TomlTable& r
 /// Checks names and places of probes, gauges and force surfaces. Part of check_case().
 void check_instruments(const Case& c, const TomlTable& root);
 
-/// Number of fluid particles that fill the blocks at the case's spacing; of balls by their volume.
-[[nodiscard]] double fluid_particle_count(const Case& c);
-
 }  // namespace surge

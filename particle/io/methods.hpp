@@ -3,6 +3,7 @@
 #include <any>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -29,11 +30,16 @@ struct Method {
   nlohmann::json (*to_json)(const std::any& options);
   std::vector<OptionText> (*describe)(const std::any& options);
 
+  /// What is wrong with the options together, if anything is.
+  std::optional<OptionFault> (*fault)(const std::any& options);
+
   double (*interaction_radius)(const std::any& options);  ///< in l0
   int (*wall_layers)(const std::any& options);
 
   /// The longest stable step (s) when the fastest particle has this speed (m/s).
   double (*step_limit)(const Case& c, const std::any& options, double speed);
+  /// Bytes of memory that a run takes for a particle, roughly.
+  double (*bytes_per_particle)(const std::any& options, int dimension);
 
   template <int D>
   using Maker = std::unique_ptr<AnySolver<D>> (*)(const Case& c, const std::any& options,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/options.hpp"
 #include "particle/mps/solver.hpp"
+#include "particle/support/options.hpp"
 
 namespace surge::mps {
 
@@ -27,6 +30,12 @@ struct Method {
   static constexpr bool needs_reference_speed = false;
   static constexpr Supports supports{};
 
+  /// What is wrong with the options together; they are good where it is empty.
+  static std::optional<OptionFault> fault(const Params& p) {
+    if (p.re_gradient <= p.re_laplacian) return std::nullopt;
+    return OptionFault{"re_gradient", number_text(p.re_gradient),
+                       "at most re_laplacian = " + number_text(p.re_laplacian)};
+  }
   static double interaction_radius(const Params& p) {
     return std::max(p.re_gradient, p.re_laplacian);
   }
@@ -39,6 +48,13 @@ struct Method {
                               : laplacian_lambda<3>(Lambda::lattice, p.re_laplacian, c.spacing);
     return std::min(courant_step(c.time, c.spacing, speed),
                     viscous_step(0.25 / (c.dimension + 2), std::sqrt(lambda), nu));
+  }
+
+  /// Measured: what a particle holds, and its share of neighbour list and pressure equation.
+  static double bytes_per_particle(const Params& p, int dimension) {
+    const double r = p.re_laplacian;
+    const double neighbours = std::numbers::pi * r * r * (dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
+    return 500.0 + 37.0 * neighbours;
   }
 
   template <int D>
