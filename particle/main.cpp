@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "particle/case/case_keys.hpp"
 #include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/run.hpp"
@@ -57,6 +58,25 @@ void check(const Arguments& arguments) {
     std::cout << "note: " << note << '\n';
 }
 
+void list_keys() {
+  std::cout << "\nTables and keys of a case file (value, unit; what stands for a missing one):\n";
+  std::string_view table = "-";
+  for (const surge::CaseKey& key : surge::case_keys()) {
+    if (key.table != table && !key.table.empty()) std::cout << "  " << key.table << '\n';
+    table = key.table;
+    const std::string indent(key.table.empty() ? 2 : 4, ' ');
+    std::cout << indent << key.key << " = " << key.takes;
+    if (!key.does.empty()) std::cout << "   # " << key.does;
+    std::cout << '\n';
+  }
+  std::cout
+      << "  [search]\n    neighbours = cell_grid | all_pairs; cell_grid\n  [method]\n    name = ";
+  for (const surge::Method& method : surge::methods())
+    std::cout << (&method == surge::methods().data() ? "" : " | ") << method.name;
+  std::cout << "\n    preset = see above; paper\n  [NAME OF THE METHOD]\n"
+               "    its options: surge-particle list --options\n";
+}
+
 void list_options(const surge::Method& method) {
   std::cout << "\n[" << method.name << "]\n";
   for (const surge::OptionText& option : method.describe(method.defaults())) {
@@ -72,6 +92,7 @@ void list(const Arguments& arguments) {
                 surge::preset_description(preset).c_str());
   }
   std::fflush(stdout);
+  list_keys();
   if (!arguments.options) return;
   for (const surge::Method& method : surge::methods()) list_options(method);
 }
@@ -110,7 +131,8 @@ int run_program(int argc, char** argv) {
   with_case(check_command);
   check_command->add_flag("--json", arguments.json,
                           "print the case as it was resolved, and the size of the run, as JSON");
-  CLI::App* list_command = app.add_subcommand("list", "list the presets of the methods");
+  CLI::App* list_command =
+      app.add_subcommand("list", "list the presets, and the tables and keys of a case file");
   list_command->add_flag("--options", arguments.options,
                          "list every option of the methods as well");
   try {

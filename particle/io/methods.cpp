@@ -55,9 +55,9 @@ Method entry() {
       .wall_layers = [](const std::any& options) { return M::wall_layers(params_of<M>(options)); },
       .step_limit = [](const Case& c, const std::any& options,
                        double speed) { return M::step_limit(c, params_of<M>(options), speed); },
-      .bytes_per_particle =
-          [](const std::any& options, int dimension) {
-            return M::bytes_per_particle(params_of<M>(options), dimension);
+      .memory =
+          [](const std::any& options, int dimension, const ParticleCount& count) {
+            return M::memory(params_of<M>(options), dimension, count);
           },
       .make_2d = make_solver<M, 2>,
       .make_3d = make_solver<M, 3>,

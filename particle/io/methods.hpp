@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "particle/case/case_checks.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/search.hpp"
 #include "particle/io/any_solver.hpp"
 #include "particle/support/options.hpp"
@@ -38,8 +39,8 @@ struct Method {
 
   /// The longest stable step (s) when the fastest particle has this speed (m/s).
   double (*step_limit)(const Case& c, const std::any& options, double speed);
-  /// Bytes of memory that a run takes for a particle, roughly.
-  double (*bytes_per_particle)(const std::any& options, int dimension);
+  /// Bytes of memory that a run's particles take, roughly.
+  double (*memory)(const std::any& options, int dimension, const ParticleCount& count);
 
   template <int D>
   using Maker = std::unique_ptr<AnySolver<D>> (*)(const Case& c, const std::any& options,

@@ -47,8 +47,7 @@ RunSize run_size(const Computation& computation) {
   size.frames = std::ceil(c.time.end / c.output_interval) + 1.0;
   size.steps = std::ceil(c.time.end / std::min(step(reference_speed(c)), c.output_interval));
   size.first_step = std::min(c.time.initial_step, step(fastest_start(c)));
-  size.memory = program_bytes +
-                size.particles.all() * method.bytes_per_particle(computation.options, c.dimension);
+  size.memory = program_bytes + method.memory(computation.options, c.dimension, size.particles);
   size.disk = size.frames * (frame_bytes_per_fluid * size.particles.fluid +
                              frame_bytes_per_wall * size.particles.wall) +
               size.steps * (row_bytes + row_bytes_per_probe * static_cast<double>(c.probes.size()));

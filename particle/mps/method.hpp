@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "particle/case/case_checks.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/radial_function.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/kernel/mps_weight.hpp"
@@ -50,11 +51,15 @@ struct Method {
                     viscous_step(0.25 / (c.dimension + 2), std::sqrt(lambda), nu));
   }
 
-  /// Measured: what a particle holds, and its share of neighbour list and pressure equation.
-  static double bytes_per_particle(const Params& p, int dimension) {
+  /// Bytes, fitted to measured runs: what each particle holds, and the neighbour list and pressure
+  /// equation of those that have a pressure, for which some solvers make a second matrix. A direct
+  /// solver fills more than that.
+  static double memory(const Params& p, int dimension, const ParticleCount& count) {
     const double r = p.re_laplacian;
     const double neighbours = std::numbers::pi * r * r * (dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
-    return 500.0 + 37.0 * neighbours;
+    const double per_neighbour = p.ppe_solver == PpeSolver::multigrid ? 16.0 : 34.0;
+    const double pressures = count.fluid + count.wall / mps::wall_layers(p);
+    return 500.0 * count.all() + per_neighbour * neighbours * pressures;
   }
 
   template <int D>

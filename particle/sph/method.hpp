@@ -9,6 +9,7 @@
 
 #include "particle/case/case_checks.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/radial_function.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/sph/options.hpp"
@@ -44,9 +45,9 @@ struct Method {
     return std::min(dt, viscous_step(0.5, h, p.acoustic_damping * sound * h));
   }
 
-  /// Measured.
-  static double bytes_per_particle(const Params& p, int) {
-    return p.shifting == Shifting::none ? 400.0 : 650.0;
+  /// Bytes, fitted to measured runs.
+  static double memory(const Params& p, int, const ParticleCount& count) {
+    return (p.shifting == Shifting::none ? 400.0 : 650.0) * count.all();
   }
 
   template <int D>
