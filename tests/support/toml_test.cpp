@@ -231,16 +231,16 @@ TEST(TomlTable, ReadsFilesAndMissesThem) {
 
 /// a.a.a, `parts` names.
 std::string chain(std::size_t parts) {
-  std::string text = "a";
-  for (std::size_t k = 1; k < parts; ++k) text += ".a";
-  return text;
+  std::string toml = "a";
+  for (std::size_t k = 1; k < parts; ++k) toml += ".a";
+  return toml;
 }
 
 // Each of these ended in a crash: the parser, and what walks its tables, go down by recursion.
 TEST(TomlTable, DepthIsBounded) {
-  const auto refused = [](const std::string& text) -> std::string {
+  const auto refused = [](const std::string& toml) -> std::string {
     try {
-      static_cast<void>(TomlTable::parse(text, "deep.toml"));
+      static_cast<void>(TomlTable::parse(toml, "deep.toml"));
     } catch (const Error& error) {
       return error.what();
     }
