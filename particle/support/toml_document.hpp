@@ -58,6 +58,6 @@ struct TomlTable::Document {
 [[nodiscard]] toml::table parse_bounded(std::string_view text, const std::string& source);
 
 /// The largest file that is read, in bytes.
-inline constexpr std::size_t most_toml_bytes = 16 * 1024 * 1024;
+inline constexpr std::size_t most_toml_bytes = 3 * 1024 * 1024;
 
 }  // namespace surge

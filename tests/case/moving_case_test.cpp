@@ -153,6 +153,16 @@ table = "sway.csv"
   EXPECT_THROW(static_cast<void>(read(with(motion), source)), Error);
 }
 
+// The largest table that is read fits, with all its digits, into the case file that a run writes.
+TEST(MovingCase, TheLargestTableIsWrittenAndRead) {
+  Case c = read(with(sway));
+  c.motion.law = {};
+  c.motion.law.kind = ScalarMotion::Kind::table;
+  for (int k = 0; k < 50000; ++k)
+    c.motion.law.samples.push_back({(k + 1) * 1.2345678901234567e-05, -1.2345678901234567e-05 / 3});
+  EXPECT_EQ(read(to_toml(c), "written.toml").motion.law.samples, c.motion.law.samples);
+}
+
 TEST(MovingCase, BadMotionsAreRefused) {
   const std::string at = "small.toml";
   EXPECT_THAT(refusal(sway, {"motion.direction=[0,0]"}), HasSubstr("found a zero vector"));
