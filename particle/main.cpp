@@ -1,16 +1,19 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "particle/case/case_keys.hpp"
 #include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/run.hpp"
+#include "particle/io/run_size.hpp"
+#include "particle/support/printable.hpp"
 #include "particle/support/version.hpp"
 
 namespace {
@@ -20,12 +23,15 @@ struct Arguments {
   std::vector<std::string> overrides;
   surge::RunOptions run;
   bool options = false;
+  bool json = false;
 };
 
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
 
 int run(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
+  for (const std::string& note : surge::notes_on(computation))
+    std::cout << "note: " << note << '\n';
   const surge::RunEnd end = surge::run_case(computation, arguments.run, std::cout);
   return end == surge::RunEnd::interrupted ? exit_interrupted : 0;
 }
@@ -33,14 +39,42 @@ int run(const Arguments& arguments) {
 void check(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
   const surge::Case& c = computation.flow;
-  const surge::CaseSummary summary = surge::summarise(computation);
-  std::cout << c.title << "\n  dimension   " << c.dimension << "\n  method      "
+  const surge::RunSize size = surge::run_size(computation);
+  if (arguments.json) {
+    const nlohmann::json j{{"case", to_json(computation)}, {"size", to_json(size)}};
+    std::cout << j.dump(2) << '\n';
+    return;
+  }
+  const auto text = [](double value) { return surge::number_text(value); };
+  std::cout << surge::printable(c.title) << "\n  dimension   " << c.dimension << "\n  method      "
             << computation.method_name() << ", preset " << computation.preset << "\n  spacing     "
-            << c.spacing << " m\n  particles   " << summary.fluid_particles << " fluid, "
-            << summary.wall_particles << " wall\n  end         " << c.time.end
-            << " s, a frame every " << c.output_interval << " s\n  steps       about "
-            << std::lround(surge::estimated_steps(computation)) << ", the first "
-            << summary.first_step << " s\n";
+            << text(c.spacing) << " m\n  particles   " << text(size.particles.fluid) << " fluid, "
+            << text(size.particles.wall) << " wall\n  end         " << text(c.time.end) << " s, "
+            << text(size.frames) << " frames, one every " << text(c.output_interval)
+            << " s\n  steps       about " << text(size.steps) << ", the first "
+            << text(size.first_step) << " s\n  memory      about " << surge::bytes_text(size.memory)
+            << "\n  disk        about " << surge::bytes_text(size.disk) << '\n';
+  for (const std::string& note : surge::notes_on(computation))
+    std::cout << "note: " << note << '\n';
+}
+
+void list_keys() {
+  std::cout << "\nTables and keys of a case file (value, unit; what stands for a missing one):\n";
+  std::string_view table = "-";
+  for (const surge::CaseKey& key : surge::case_keys()) {
+    if (key.table != table && !key.table.empty()) std::cout << "  " << key.table << '\n';
+    table = key.table;
+    const std::string indent(key.table.empty() ? 2 : 4, ' ');
+    std::cout << indent << key.key << " = " << key.takes;
+    if (!key.does.empty()) std::cout << "   # " << key.does;
+    std::cout << '\n';
+  }
+  std::cout
+      << "  [search]\n    neighbours = cell_grid | all_pairs; cell_grid\n  [method]\n    name = ";
+  for (const surge::Method& method : surge::methods())
+    std::cout << (&method == surge::methods().data() ? "" : " | ") << method.name;
+  std::cout << "\n    preset = see above; paper\n  [NAME OF THE METHOD]\n"
+               "    its options: surge-particle list --options\n";
 }
 
 void list_options(const surge::Method& method) {
@@ -58,6 +92,7 @@ void list(const Arguments& arguments) {
                 surge::preset_description(preset).c_str());
   }
   std::fflush(stdout);
+  list_keys();
   if (!arguments.options) return;
   for (const surge::Method& method : surge::methods()) list_options(method);
 }
@@ -94,7 +129,10 @@ int run_program(int argc, char** argv) {
   CLI::App* check_command =
       app.add_subcommand("check", "read and check a case file, and say what it means");
   with_case(check_command);
-  CLI::App* list_command = app.add_subcommand("list", "list the presets of the methods");
+  check_command->add_flag("--json", arguments.json,
+                          "print the case as it was resolved, and the size of the run, as JSON");
+  CLI::App* list_command =
+      app.add_subcommand("list", "list the presets, and the tables and keys of a case file");
   list_command->add_flag("--options", arguments.options,
                          "list every option of the methods as well");
   try {
@@ -116,7 +154,7 @@ int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "surge-particle: " << error.what() << '\n';
+    std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
     return 1;
   }
 }

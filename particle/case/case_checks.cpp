@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <set>
 
-#include "particle/case/scales.hpp"
+#include "particle/case/divisions.hpp"
+#include "particle/case/enum_names.hpp"
 
 namespace surge {
 
@@ -16,6 +16,8 @@ constexpr std::array<const char*, 3> axis{"x", "y", "z"};
 constexpr double relative_tolerance = 1e-9;
 constexpr double most_frames = 1e6;
 constexpr double most_steps = 1e12;
+constexpr double most_along_an_axis = 2e9;  ///< cells are numbered in 32 bits
+constexpr std::size_t most_bodies = 5000;
 
 std::string indexed(const char* table, std::size_t i) {
   return std::string(table) + "." + std::to_string(i);
@@ -56,9 +58,10 @@ class Checker {
     if (case_.has_tank) check_tank();
     check_bodies("block");
     check_bodies("obstacle");
+    check_bodies("moving_wall");
+    check_moving_walls();
     check_overlaps();
-    check_probes();
-    check_size();
+    check_instruments(case_, root_);
   }
 
  private:
@@ -92,11 +95,14 @@ class Checker {
                                " to " + number_text(box.upper[a]);
       if (!(extent > 0.0)) throw table.error("upper", from, "upper above lower");
       const double count = extent / case_.spacing;
-      const double whole = std::round(count);
-      if (whole < 1.0 || std::abs(count - whole) > relative_tolerance * whole) {
+      if (!whole_spacings(extent, case_.spacing)) {
         throw table.error("upper",
                           from + ", " + number_text(std::round(count * 1e6) / 1e6) + " spacings",
-                          "a whole number of spacings of " + number_text(case_.spacing) + " m");
+                          division_advice(case_, extent));
+      }
+      if (count > most_along_an_axis) {
+        throw table.error("upper", from + ", " + number_text(count) + " spacings",
+                          "at most " + number_text(most_along_an_axis));
       }
     }
   }
@@ -126,7 +132,9 @@ class Checker {
   }
 
   [[nodiscard]] Box box_of(const std::string& kind, std::size_t i) const {
-    return kind == "block" ? case_.blocks[i].box : case_.obstacles[i];
+    return kind == "block"      ? case_.blocks[i].box
+           : kind == "obstacle" ? case_.obstacles[i]
+                                : case_.moving_walls[i].box;
   }
 
   void check_bodies(const std::string& kind) const {
@@ -170,75 +178,52 @@ class Checker {
     }
   }
 
-  void check_overlaps() const {
-    const double slack = relative_tolerance * case_.spacing;
-    std::vector<Body> bodies;
-    for (const FluidBlock& block : case_.blocks) {
-      bodies.push_back({block.box, block.shape == FluidBlock::Shape::ball});
+  void check_moving_walls() const {
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < case_.moving_walls.size(); ++i) {
+      const std::string& name = case_.moving_walls[i].name;
+      const TomlTable table = root_.tables("moving_wall")[i];
+      const bool taken = name.starts_with("obstacle.") ||
+                         std::count(side_names.begin(), side_names.end(), name) > 0;
+      if (name.empty() || taken)
+        throw table.error("name", '"' + name + '"', "a name that is no side and no obstacle");
+      if (!names.insert(name).second)
+        throw table.error("name", '"' + name + "\" twice", "different names");
     }
-    for (const Box& box : case_.obstacles) bodies.push_back({box});
+  }
+
+  /// Bodies may touch and not overlap: two particles in one place are not a flow.
+  void check_overlaps() const {
+    struct Place {
+      const char* table;
+      std::size_t index;
+    };
+    std::vector<Body> bodies;
+    std::vector<Place> places;
+    const auto add = [&](const Body& body, const char* table, std::size_t index) {
+      bodies.push_back(body);
+      places.push_back({table, index});
+    };
     for (std::size_t i = 0; i < case_.blocks.size(); ++i) {
+      const FluidBlock& block = case_.blocks[i];
+      add({block.box, block.shape == FluidBlock::Shape::ball}, "block", i);
+    }
+    for (std::size_t i = 0; i < case_.obstacles.size(); ++i)
+      add({case_.obstacles[i]}, "obstacle", i);
+    for (std::size_t i = 0; i < case_.moving_walls.size(); ++i)
+      add({case_.moving_walls[i].box}, "moving_wall", i);
+    if (bodies.size() > most_bodies) {
+      throw root_.error("block", std::to_string(bodies.size()) + " bodies",
+                        "at most " + std::to_string(most_bodies));
+    }
+    const double slack = relative_tolerance * case_.spacing;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
       for (std::size_t j = i + 1; j < bodies.size(); ++j) {
         if (gap(bodies[i], bodies[j], dimension_) >= -slack) continue;
-        const std::size_t blocks = case_.blocks.size();
-        const std::string other =
-            j < blocks ? indexed("block", j) : indexed("obstacle", j - blocks);
-        throw root_.tables("block")[i].error("lower", "an overlap with " + other,
-                                             "separate bodies");
+        throw root_.tables(places[i].table)[places[i].index].error(
+            "lower", "an overlap with " + indexed(places[j].table, places[j].index),
+            "separate bodies");
       }
-    }
-  }
-
-  void check_probes() const {
-    const std::vector<TomlTable> tables = root_.tables("probe");
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-      const Probe& probe = case_.probes[i];
-      const bool plain =
-          probe.name.find_first_of(",\"\n\r") == std::string::npos && !probe.name.empty();
-      if (!plain)
-        throw tables[i].error("name", '"' + probe.name + '"', "a name without commas and quotes");
-      if (!names.insert(probe.name).second) {
-        throw tables[i].error("name", '"' + probe.name + "\" twice", "different names");
-      }
-      if (case_.has_tank) check_probe_inside(tables[i], probe);
-      check_probe_outside(tables[i], probe);
-    }
-  }
-
-  void check_probe_inside(const TomlTable& table, const Probe& probe) const {
-    const Box& tank = case_.tank.box;
-    for (std::size_t a = 0; a < dimension_; ++a) {
-      if (probe.position[a] < tank.lower[a] || probe.position[a] > tank.upper[a]) {
-        throw table.error("position", std::string(axis[a]) + " = " + number_text(probe.position[a]),
-                          "a place inside the tank, between " + number_text(tank.lower[a]) +
-                              " and " + number_text(tank.upper[a]));
-      }
-    }
-  }
-
-  /// In an obstacle there is no water whose pressure could be read.
-  void check_probe_outside(const TomlTable& table, const Probe& probe) const {
-    for (std::size_t i = 0; i < case_.obstacles.size(); ++i) {
-      const Box& box = case_.obstacles[i];
-      bool inside = true;
-      for (std::size_t a = 0; a < dimension_; ++a)
-        inside = inside && probe.position[a] > box.lower[a] && probe.position[a] < box.upper[a];
-      if (inside)
-        throw table.error("position", "a place inside " + indexed("obstacle", i),
-                          "a place that water can reach, or on the obstacle's surface");
-    }
-  }
-
-  /// Particles are numbered in 32 bits.
-  void check_size() const {
-    constexpr double most = 2e9;
-    if (fluid_particle_count(case_) > most) {
-      throw root_.table("resolution")
-          .error("spacing",
-                 number_text(case_.spacing) + ", which makes " +
-                     number_text(fluid_particle_count(case_)) + " particles",
-                 "at most 2e9 particles");
     }
   }
 
@@ -251,19 +236,6 @@ class Checker {
 
 void check_case(const Case& c, const TomlTable& root) {
   Checker(c, root).check();
-}
-
-double fluid_particle_count(const Case& c) {
-  double total = 0.0;
-  for (const FluidBlock& block : c.blocks) {
-    double count = 1.0;
-    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a) {
-      count *= std::round((block.box.upper[a] - block.box.lower[a]) / c.spacing);
-    }
-    const double ball_in_box = c.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
-    total += block.shape == FluidBlock::Shape::ball ? std::round(count * ball_in_box) : count;
-  }
-  return total;
 }
 
 }  // namespace surge

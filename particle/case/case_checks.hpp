@@ -11,6 +11,7 @@ namespace surge {
 struct Supports {
   bool tank_motion = false;
   bool moving_walls = false;
+  bool probe_diameter = false;
 };
 
 /// What the checks must know of the method that computes a case.
@@ -30,7 +31,7 @@ void check_case(const Case& c, const TomlTable& root);
 /// thicker than one, that the method computes all that the case says. Throws Error.
 void check_case_for(const MethodFacts& method, const Case& c, const TomlTable& root);
 
-/// Number of fluid particles that fill the blocks at the case's spacing; of balls by their volume.
-[[nodiscard]] double fluid_particle_count(const Case& c);
+/// Checks names and places of probes, gauges and force surfaces. Part of check_case().
+void check_instruments(const Case& c, const TomlTable& root);
 
 }  // namespace surge

@@ -1,15 +1,16 @@
 #include "particle/case/case_file.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <span>
 
 #include "particle/case/enum_names.hpp"
+#include "particle/case/read_motion.hpp"
 
 namespace surge {
 
 namespace {
-
-constexpr std::array<std::string_view, 6> side_names{"x-", "x+", "y-", "y+", "z-", "z+"};
-constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
 
 std::size_t size(int dimension) {
   return static_cast<std::size_t>(dimension);
@@ -75,6 +76,65 @@ TimeControl read_time(const TomlTable& table) {
   return time;
 }
 
+/// spacing, or per = particles and length = the length (m) that holds them. What is given on the
+/// command line stands for what the file says.
+double read_spacing(const TomlTable& table) {
+  const bool by_count = table.has("per");
+  const bool by_length = table.has("spacing");
+  if (by_count && by_length && table.overridden("per") == table.overridden("spacing")) {
+    throw table.error("per", "a spacing besides",
+                      "either spacing, or per (particles) and length (m)");
+  }
+  if (!by_count || (by_length && table.overridden("spacing"))) {
+    if (by_length) static_cast<void>(table.number_or("length", 1.0, Bounds::above(0.0)));
+    return table.number("spacing", Bounds::above(0.0));
+  }
+  const double per = table.number("per", Bounds::at_least(1.0));
+  return table.number("length", Bounds::above(0.0)) / per;
+}
+
+MovingWall read_moving_wall(const TomlTable& table, int dimension) {
+  return {table.text("name"), read_box(table, dimension),
+          read_direction(table, "direction", dimension), read_law(table)};
+}
+
+Probe read_probe(const TomlTable& table, int dimension) {
+  return {table.text("name"), read_point(table, "position", dimension),
+          table.number_or("diameter", 0.0, Bounds::at_least(0.0))};
+}
+
+/// The number behind `prefix` in a text such as obstacle.0.
+std::optional<std::size_t> number_after(std::string_view text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return std::nullopt;
+  const std::string_view digits = text.substr(prefix.size());
+  std::size_t number = 0;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (code != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return number;
+}
+
+/// on = "x+" (a side), "obstacle.0" or the name of a moving wall; read after all of them.
+ForceSurface read_force(const TomlTable& table, const Case& c) {
+  const std::string on = table.text("on");
+  ForceSurface force{table.text_or("name", on), ForceSurface::Of::side, 0};
+  const auto sides = std::span(side_names).first(2 * size(c.dimension));
+  if (const auto side = std::find(sides.begin(), sides.end(), on); side != sides.end()) {
+    force.index = static_cast<std::size_t>(side - sides.begin());
+    return force;
+  }
+  force.of = ForceSurface::Of::obstacle;
+  if (const auto obstacle = number_after(on, "obstacle.")) {
+    force.index = *obstacle;
+    if (force.index < c.obstacles.size()) return force;
+  }
+  force.of = ForceSurface::Of::moving_wall;
+  for (force.index = 0; force.index < c.moving_walls.size(); ++force.index)
+    if (c.moving_walls[force.index].name == on) return force;
+  throw table.error("on", '"' + on + '"',
+                    "a side such as \"x+\", an obstacle such as \"obstacle.0\" of the " +
+                        std::to_string(c.obstacles.size()) + ", or the name of a moving wall");
+}
+
 }  // namespace
 
 Case read_case(const TomlTable& root) {
@@ -93,10 +153,16 @@ Case read_case(const TomlTable& root) {
   for (const TomlTable& table : root.tables("obstacle")) {
     c.obstacles.push_back(read_box(table, c.dimension));
   }
-  for (const TomlTable& table : root.tables("probe")) {
-    c.probes.push_back({table.text("name"), read_point(table, "position", c.dimension)});
-  }
-  c.spacing = root.table("resolution").number("spacing", Bounds::above(0.0));
+  if (const auto table = root.optional_table("motion"))
+    c.motion = read_tank_motion(*table, c.dimension);
+  for (const TomlTable& table : root.tables("moving_wall"))
+    c.moving_walls.push_back(read_moving_wall(table, c.dimension));
+  for (const TomlTable& table : root.tables("probe"))
+    c.probes.push_back(read_probe(table, c.dimension));
+  for (const TomlTable& table : root.tables("gauge"))
+    c.gauges.push_back({table.text("name"), read_point(table, "position", c.dimension)});
+  for (const TomlTable& table : root.tables("force")) c.forces.push_back(read_force(table, c));
+  c.spacing = read_spacing(root.table("resolution"));
   c.time = read_time(root.table("time"));
   c.output_interval = root.table("output").number("interval", Bounds::above(0.0));
   return c;

@@ -10,11 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<const char*, 6> side_names{"x-", "x+", "y-", "y+", "z-", "z+"};
-constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
-
 template <std::size_t N>
-json names_of(const std::array<bool, N>& flags, const std::array<const char*, N>& names) {
+json names_of(const std::array<bool, N>& flags, const std::array<std::string_view, N>& names) {
   json list = json::array();
   for (std::size_t i = 0; i < N; ++i) {
     if (flags[i]) list.push_back(names[i]);
@@ -43,6 +40,49 @@ json block_json(const FluidBlock& block) {
   return j;
 }
 
+/// The entries of a law that act, and no others.
+void add_law(json& j, const ScalarMotion& law) {
+  j["law"] = name_of(law.kind);
+  if (law.kind == ScalarMotion::Kind::harmonic) {
+    j["amplitude"] = law.amplitude;
+    j["period"] = law.period;
+    j["phase"] = law.phase;
+    j["ramp"] = law.ramp;
+    j["start"] = law.start;
+  } else if (law.kind == ScalarMotion::Kind::constant) {
+    j["speed"] = law.speed;
+    j["start"] = law.start;
+    j["stop"] = law.stop;
+  } else {
+    j["quantity"] = name_of(law.quantity);
+    j["samples"] = law.samples;
+  }
+}
+
+json motion_json(const TankMotion& motion) {
+  if (motion.kind == TankMotion::Kind::none) return nullptr;
+  json j{{"kind", name_of(motion.kind)}, {"direction", motion.direction}};
+  if (motion.kind == TankMotion::Kind::rotation) j["centre"] = motion.centre;
+  add_law(j, motion.law);
+  return j;
+}
+
+json moving_wall_json(const MovingWall& wall) {
+  json j = box_json(wall.box);
+  j["name"] = wall.name;
+  j["direction"] = wall.direction;
+  add_law(j, wall.law);
+  return j;
+}
+
+json force_json(const ForceSurface& force, const Case& c) {
+  std::string on;
+  if (force.of == ForceSurface::Of::side) on = side_names[force.index];
+  if (force.of == ForceSurface::Of::obstacle) on = "obstacle." + std::to_string(force.index);
+  if (force.of == ForceSurface::Of::moving_wall) on = c.moving_walls[force.index].name;
+  return {{"name", force.name}, {"on", on}};
+}
+
 // In case files a point has as many entries as the case has dimensions, in the manifest always
 // three.
 json cut(json value, std::size_t dimension) {
@@ -55,7 +95,7 @@ void write_table(std::ostream& out, const std::string& header, const json& entri
   out << '\n' << header << '\n';
   for (const auto& [key, value] : entries.items()) {
     const bool point = key == "lower" || key == "upper" || key == "velocity" || key == "gravity" ||
-                       key == "position";
+                       key == "position" || key == "direction" || key == "centre";
     if (key == "velocity_gradient") {
       json rows = json::array();
       for (const json& row : cut(value, dimension)) rows.push_back(cut(row, dimension));
@@ -84,8 +124,17 @@ json to_json(const Case& c) {
   for (const Box& box : c.obstacles) j["obstacles"].push_back(box_json(box));
   j["probes"] = json::array();
   for (const Probe& probe : c.probes) {
-    j["probes"].push_back({{"name", probe.name}, {"position", probe.position}});
+    j["probes"].push_back(
+        {{"name", probe.name}, {"position", probe.position}, {"diameter", probe.diameter}});
   }
+  j["motion"] = motion_json(c.motion);
+  j["moving_walls"] = json::array();
+  for (const MovingWall& wall : c.moving_walls) j["moving_walls"].push_back(moving_wall_json(wall));
+  j["gauges"] = json::array();
+  for (const Gauge& gauge : c.gauges)
+    j["gauges"].push_back({{"name", gauge.name}, {"position", gauge.position}});
+  j["forces"] = json::array();
+  for (const ForceSurface& force : c.forces) j["forces"].push_back(force_json(force, c));
   j["time"] = {{"end", c.time.end},
                {"initial_step", c.time.initial_step},
                {"maximum_step", c.time.maximum_step},
@@ -111,6 +160,15 @@ std::string to_toml(const Case& c) {
   for (const json& block : j["blocks"]) write_table(out, "[[block]]", block, dimension);
   for (const json& box : j["obstacles"]) write_table(out, "[[obstacle]]", box, dimension);
   for (const json& probe : j["probes"]) write_table(out, "[[probe]]", probe, dimension);
+  if (json motion = j["motion"]; !motion.is_null()) {
+    // In 2D there is one axis to turn about, and a case file does not name it.
+    const bool turns = c.motion.kind == TankMotion::Kind::rotation;
+    if (turns && c.dimension == 2) motion.erase("direction");
+    write_table(out, "[motion]", motion, dimension);
+  }
+  for (const json& wall : j["moving_walls"]) write_table(out, "[[moving_wall]]", wall, dimension);
+  for (const json& gauge : j["gauges"]) write_table(out, "[[gauge]]", gauge, dimension);
+  for (const json& force : j["forces"]) write_table(out, "[[force]]", force, dimension);
   write_table(out, "[resolution]", {{"spacing", c.spacing}}, dimension);
   write_table(out, "[time]", j["time"], dimension);
   write_table(out, "[output]", j["output"], dimension);

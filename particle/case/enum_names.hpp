@@ -12,4 +12,20 @@ template <>
 inline constexpr std::array enum_names<WallCondition>{Named{"slip", WallCondition::slip},
                                                       Named{"no-slip", WallCondition::no_slip}};
 
+template <>
+inline constexpr std::array enum_names<TankMotion::Kind>{
+    Named{"translation", TankMotion::Kind::translation},
+    Named{"rotation", TankMotion::Kind::rotation}};
+template <>
+inline constexpr std::array enum_names<ScalarMotion::Kind>{
+    Named{"harmonic", ScalarMotion::Kind::harmonic},
+    Named{"constant", ScalarMotion::Kind::constant}, Named{"table", ScalarMotion::Kind::table}};
+template <>
+inline constexpr std::array enum_names<ScalarMotion::Quantity>{
+    Named{"displacement", ScalarMotion::Quantity::displacement},
+    Named{"acceleration", ScalarMotion::Quantity::acceleration}};
+
+inline constexpr std::array<std::string_view, 6> side_names{"x-", "x+", "y-", "y+", "z-", "z+"};
+inline constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
+
 }  // namespace surge

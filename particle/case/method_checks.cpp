@@ -2,6 +2,7 @@
 
 #include "particle/case/case_checks.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/case/solid_cells.hpp"
 
 namespace surge {
 
@@ -24,7 +25,7 @@ class Checker {
     check_supports();
     if (case_.has_tank) check_periods();
     check_speed();
-    check_thickness();
+    check_walls();
   }
 
  private:
@@ -38,6 +39,12 @@ class Checker {
       refuse("motion", "a tank that moves");
     if (!case_.moving_walls.empty() && !method_.supports.moving_walls)
       refuse("moving_wall", "walls that move");
+    for (std::size_t i = 0; i < case_.probes.size() && !method_.supports.probe_diameter; ++i) {
+      if (case_.probes[i].diameter > 0.0)
+        throw root_.tables("probe")[i].error(
+            "diameter", number_text(case_.probes[i].diameter) + " m",
+            "none with " + std::string(method_.name) + ", whose probes have a size of their own");
+    }
   }
 
   void check_periods() const {
@@ -60,35 +67,52 @@ class Checker {
                                      "the flow's largest speed in m/s");
   }
 
-  /// Whether water can be on a side of an obstacle: there is more than a spacing to the tank's
-  /// wall.
-  [[nodiscard]] bool has_room(const Box& box, std::size_t a, bool upper) const {
-    if (!case_.has_tank || case_.tank.periodic[a]) return true;
-    const double gap =
-        upper ? case_.tank.box.upper[a] - box.upper[a] : box.lower[a] - case_.tank.box.lower[a];
-    return gap > 0.5 * case_.spacing;
+  /// A solid by its number among obstacles and then moving walls, as in the file.
+  [[nodiscard]] std::string name_of_solid(std::size_t i) const {
+    const std::size_t obstacles = case_.obstacles.size();
+    return i < obstacles ? "obstacle." + std::to_string(i)
+                         : "moving_wall." + std::to_string(i - obstacles);
+  }
+  [[nodiscard]] TomlTable table_of_solid(std::size_t i) const {
+    const std::size_t obstacles = case_.obstacles.size();
+    return i < obstacles ? root_.tables("obstacle")[i] : root_.tables("moving_wall")[i - obstacles];
   }
 
-  /// Particles act on each other through a wall that is thinner than their radius of interaction.
-  void check_thickness() const {
-    const std::vector<TomlTable> tables = root_.tables("obstacle");
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-      const Box& box = case_.obstacles[i];
-      for (std::size_t a = 0; a < dimension_; ++a) {
-        const double thickness = box.upper[a] - box.lower[a];
-        if (thickness >= radius_ * (1.0 - relative_tolerance)) continue;
-        if (!has_room(box, a, false) || !has_room(box, a, true)) continue;
-        const std::string finer =
-            number_text(std::floor(1e6 * case_.spacing * thickness / radius_) / 1e6);
-        throw tables[i].error(
-            "upper",
-            "a wall " + number_text(std::round(thickness * 1e9) / 1e9) + " m thick along " +
-                axis[a] + " with room for water on both sides",
-            "at least " + number_text(std::round(radius_ * 1e9) / 1e9) +
-                " m, over which particles act on each other, or a spacing of at most " + finer +
-                " m");
-      }
+  /// Particles act on each other through a wall that is thinner than their radius of interaction,
+  /// and none fits into a gap narrower than a spacing.
+  void check_walls() const {
+    if (case_.obstacles.empty() && case_.moving_walls.empty()) return;
+    const double cells = SolidCells::cell_count(case_);
+    if (cells > SolidCells::most_cells) {
+      throw root_.error("obstacle",
+                        "faces that cut the space into " + number_text(cells) + " cells",
+                        "at most " + number_text(SolidCells::most_cells));
     }
+    const SolidCells space(case_);
+    if (const auto thin = space.thin_wall(radius_)) refuse_thin(*thin);
+    if (const auto gap = space.narrow_gap(case_.spacing)) refuse_gap(*gap);
+  }
+
+  [[noreturn]] void refuse_thin(const ThinPlace& thin) const {
+    const std::string finer =
+        number_text(std::floor(1e6 * case_.spacing * thin.thickness / radius_) / 1e6);
+    throw table_of_solid(thin.solid.value())
+        .error("upper",
+               "a wall " + number_text(std::round(thin.thickness * 1e9) / 1e9) + " m thick along " +
+                   axis[thin.axis] + " with room for water on both sides",
+               "at least " + number_text(std::round(radius_ * 1e9) / 1e9) +
+                   " m, over which particles act on each other, or a spacing of at most " + finer +
+                   " m");
+  }
+
+  [[noreturn]] void refuse_gap(const ThinPlace& gap) const {
+    const std::string found = "a gap of " + number_text(std::round(gap.thickness * 1e9) / 1e9) +
+                              " m along " + axis[gap.axis] + " above " +
+                              (gap.solid ? name_of_solid(*gap.solid) : "the tank's wall");
+    const std::string expected = "none, or at least a spacing of " + number_text(case_.spacing) +
+                                 " m, into which a particle fits";
+    if (gap.solid) throw table_of_solid(*gap.solid).error("upper", found, expected);
+    throw root_.table("tank").error("lower", found, expected);
   }
 
   const MethodFacts& method_;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "particle/core/for_each_cell.hpp"
+#include "particle/support/count.hpp"
 
 namespace surge {
 namespace {
@@ -26,7 +27,8 @@ template <int D>
 std::array<int, D> cells_of(const Box& box, double l0) {
   std::array<int, D> n;
   for (int a = 0; a < D; ++a)
-    n[a] = static_cast<int>(std::lround((box.upper[a] - box.lower[a]) / l0));
+    n[a] = static_cast<int>(whole_number((box.upper[a] - box.lower[a]) / l0, "resolution.spacing",
+                                         std::numeric_limits<int>::max() / 2));
   return n;
 }
 

@@ -6,6 +6,7 @@
 #include "particle/case/case_file.hpp"
 #include "particle/case/case_json.hpp"
 #include "particle/io/presets.hpp"
+#include "particle/io/run_size.hpp"
 
 namespace surge {
 
@@ -43,6 +44,17 @@ void check_overrides(const Computation& computation, std::span<const std::string
   }
 }
 
+void check_options(const Computation& computation, const TomlTable& root) {
+  const std::string method = computation.method_name();
+  const auto fault = computation.method->fault(computation.options);
+  if (!fault) return;
+  // The table may be missing: the preset's options come first.
+  const auto table = root.optional_table(method);
+  if (table && table->has(fault->name))
+    throw table->error(fault->name, fault->found, fault->expected);
+  throw root.error(method + "." + fault->name, fault->found, fault->expected);
+}
+
 Computation checked(const TomlTable& root, std::span<const std::string> overrides) {
   Computation computation;
   computation.flow = read_case(root);
@@ -56,7 +68,9 @@ Computation checked(const TomlTable& root, std::span<const std::string> override
   check_case_for({method.name, method.interaction_radius(computation.options),
                   method.needs_reference_speed, method.supports},
                  computation.flow, root);
+  check_options(computation, root);
   check_overrides(computation, overrides);
+  check_size(run_size(computation), root, available_memory());
   return computation;
 }
 
@@ -70,6 +84,18 @@ Computation read_computation(const std::filesystem::path& file,
 Computation parse_computation(std::string_view text, const std::string& source,
                               std::span<const std::string> overrides) {
   return checked(TomlTable::parse(text, source, overrides), overrides);
+}
+
+std::vector<std::string> notes_on(const Computation& computation) {
+  const Case& c = computation.flow;
+  std::vector<std::string> notes;
+  const auto note = [&](std::size_t count, const char* what) {
+    if (count > 0)
+      notes.push_back(std::to_string(count) + ' ' + what + " of the case not recorded by the run");
+  };
+  note(c.gauges.size(), c.gauges.size() == 1 ? "gauge" : "gauges");
+  note(c.forces.size(), c.forces.size() == 1 ? "force" : "forces");
+  return notes;
 }
 
 nlohmann::json to_json(const Computation& computation) {

@@ -41,6 +41,9 @@ struct Computation {
 [[nodiscard]] Computation parse_computation(std::string_view text, const std::string& source,
                                             std::span<const std::string> overrides = {});
 
+/// What of the case a run leaves to others: gauges and forces that it does not record.
+[[nodiscard]] std::vector<std::string> notes_on(const Computation& computation);
+
 /// It as the text of a case file: every option is written out, and reading it gives the same.
 [[nodiscard]] std::string to_toml(const Computation& computation);
 

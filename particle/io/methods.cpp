@@ -49,11 +49,16 @@ Method entry() {
                  std::any& options) { read_options(table, std::any_cast<Params&>(options)); },
       .to_json = [](const std::any& options) { return options_json(params_of<M>(options)); },
       .describe = [](const std::any& options) { return option_texts(params_of<M>(options)); },
+      .fault = [](const std::any& options) { return M::fault(params_of<M>(options)); },
       .interaction_radius =
           [](const std::any& options) { return M::interaction_radius(params_of<M>(options)); },
       .wall_layers = [](const std::any& options) { return M::wall_layers(params_of<M>(options)); },
       .step_limit = [](const Case& c, const std::any& options,
                        double speed) { return M::step_limit(c, params_of<M>(options), speed); },
+      .memory =
+          [](const std::any& options, int dimension, const ParticleCount& count) {
+            return M::memory(params_of<M>(options), dimension, count);
+          },
       .make_2d = make_solver<M, 2>,
       .make_3d = make_solver<M, 3>,
   };

@@ -3,11 +3,13 @@
 #include <any>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "particle/case/case_checks.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/search.hpp"
 #include "particle/io/any_solver.hpp"
 #include "particle/support/options.hpp"
@@ -29,11 +31,16 @@ struct Method {
   nlohmann::json (*to_json)(const std::any& options);
   std::vector<OptionText> (*describe)(const std::any& options);
 
+  /// What is wrong with the options together, if anything is.
+  std::optional<OptionFault> (*fault)(const std::any& options);
+
   double (*interaction_radius)(const std::any& options);  ///< in l0
   int (*wall_layers)(const std::any& options);
 
   /// The longest stable step (s) when the fastest particle has this speed (m/s).
   double (*step_limit)(const Case& c, const std::any& options, double speed);
+  /// Bytes of memory that a run's particles take, roughly.
+  double (*memory)(const std::any& options, int dimension, const ParticleCount& count);
 
   template <int D>
   using Maker = std::unique_ptr<AnySolver<D>> (*)(const Case& c, const std::any& options,

@@ -3,11 +3,9 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
-#include "particle/case/scales.hpp"
 #include "particle/io/interrupt.hpp"
 #include "particle/io/method_sheet.hpp"
 #include "particle/io/run_folder.hpp"
@@ -139,27 +137,6 @@ class Run {
 RunEnd run_case(const Computation& computation, const RunOptions& options, std::ostream& out) {
   Run run(computation, options, out);
   return computation.flow.dimension == 2 ? run.compute<2>() : run.compute<3>();
-}
-
-namespace {
-
-template <int D>
-CaseSummary summary_of(const Computation& computation) {
-  const auto solver = computation.make_solver<D>();
-  const long fluid = count_fluid<D>(solver->particles());
-  return {fluid, static_cast<long>(solver->particles().size()) - fluid, solver->stable_step()};
-}
-
-}  // namespace
-
-CaseSummary summarise(const Computation& computation) {
-  return computation.flow.dimension == 2 ? summary_of<2>(computation) : summary_of<3>(computation);
-}
-
-double estimated_steps(const Computation& computation) {
-  const Case& c = computation.flow;
-  const double step = computation.method->step_limit(c, computation.options, reference_speed(c));
-  return std::ceil(c.time.end / step);
 }
 
 }  // namespace surge

@@ -20,16 +20,4 @@ struct RunOptions {
 /// after the present step. Throws Error; the manifest then says why the run stopped.
 RunEnd run_case(const Computation& computation, const RunOptions& options, std::ostream& out);
 
-/// What a solver makes of a case before its first step.
-struct CaseSummary {
-  long fluid_particles = 0;
-  long wall_particles = 0;
-  double first_step = 0.0;  ///< s
-};
-[[nodiscard]] CaseSummary summarise(const Computation& computation);
-
-/// A guess of the number of steps to the end: the method's limit at the case's reference speed. The
-/// flow is slower most of the time, so that there are fewer.
-[[nodiscard]] double estimated_steps(const Computation& computation);
-
 }  // namespace surge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "particle/io/probes.hpp"
 #include "particle/io/progress.hpp"
 #include "particle/io/step_table.hpp"
+#include "particle/support/count.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/toml.hpp"
 
@@ -30,7 +32,9 @@ enum class RunEnd { finished, interrupted };
 class FrameTimes {
  public:
   FrameTimes(double end, double interval)
-      : end_(end), interval_(interval), last_(std::lround(std::ceil(end / interval - 1e-9))) {}
+      : end_(end),
+        interval_(interval),
+        last_(whole_number(std::max(std::ceil(end / interval - 1e-9), 1.0), "output.interval")) {}
   [[nodiscard]] long last() const { return last_; }
   [[nodiscard]] double operator[](long k) const {
     return k >= last_ ? end_ : static_cast<double>(k) * interval_;
@@ -71,6 +75,11 @@ class RunLoop {
   RunEnd run() {
     const RunEnd end = compute_frames();
     finish_frames();
+    if (record_.steps == 0 && end == RunEnd::finished) {
+      throw Error("time.end: found " + number_text(case_.time.end) +
+                  " s, in which no step is taken, expected more than a billionth of a step of " +
+                  number_text(solver_.stable_step()) + " s");
+    }
     return end;
   }
 

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "particle/case/case_checks.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/radial_function.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/kernel/mps_weight.hpp"
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/options.hpp"
 #include "particle/mps/solver.hpp"
+#include "particle/support/options.hpp"
 
 namespace surge::mps {
 
@@ -27,6 +31,12 @@ struct Method {
   static constexpr bool needs_reference_speed = false;
   static constexpr Supports supports{};
 
+  /// What is wrong with the options together; they are good where it is empty.
+  static std::optional<OptionFault> fault(const Params& p) {
+    if (p.re_gradient <= p.re_laplacian) return std::nullopt;
+    return OptionFault{"re_gradient", number_text(p.re_gradient),
+                       "at most re_laplacian = " + number_text(p.re_laplacian)};
+  }
   static double interaction_radius(const Params& p) {
     return std::max(p.re_gradient, p.re_laplacian);
   }
@@ -39,6 +49,17 @@ struct Method {
                               : laplacian_lambda<3>(Lambda::lattice, p.re_laplacian, c.spacing);
     return std::min(courant_step(c.time, c.spacing, speed),
                     viscous_step(0.25 / (c.dimension + 2), std::sqrt(lambda), nu));
+  }
+
+  /// Bytes, fitted to measured runs: what each particle holds, and the neighbour list and pressure
+  /// equation of those that have a pressure, for which some solvers make a second matrix. A direct
+  /// solver fills more than that.
+  static double memory(const Params& p, int dimension, const ParticleCount& count) {
+    const double r = p.re_laplacian;
+    const double neighbours = std::numbers::pi * r * r * (dimension == 2 ? 1.0 : 4.0 / 3.0 * r);
+    const double per_neighbour = p.ppe_solver == PpeSolver::multigrid ? 16.0 : 34.0;
+    const double pressures = count.fluid + count.wall / mps::wall_layers(p);
+    return 500.0 * count.all() + per_neighbour * neighbours * pressures;
   }
 
   template <int D>

@@ -56,9 +56,10 @@ template <class P, class Visitor>
 requires std::same_as<std::remove_const_t<P>, Params>
 void visit_options(P& p, Visitor&& option) {
   constexpr Bounds any;
-  option("re_gradient", p.re_gradient, Bounds::above(1.0),
+  option("re_gradient", p.re_gradient, Bounds::above_to(1.0, 20.0),
          "radius of number density, gradient and free surface, in l0");
-  option("re_laplacian", p.re_laplacian, Bounds::above(1.0), "radius of the Laplacian, in l0");
+  option("re_laplacian", p.re_laplacian, Bounds::above_to(1.0, 20.0),
+         "radius of the Laplacian, in l0");
   option("lambda", p.lambda, any, "lambda of the Laplacian, Eqs. (7) and (8)");
   option("beta", p.beta, Bounds::open(0.0, 1.0), "free surface where n < beta n0, Eq. (14)");
   option("surface_offset", p.surface_offset, Bounds::at_least(0.0),

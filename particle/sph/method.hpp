@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -8,10 +9,12 @@
 
 #include "particle/case/case_checks.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/core/particle_count.hpp"
 #include "particle/core/radial_function.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/sph/options.hpp"
 #include "particle/sph/solver.hpp"
+#include "particle/support/options.hpp"
 
 namespace surge::sph {
 
@@ -27,6 +30,7 @@ struct Method {
   static constexpr bool needs_reference_speed = true;  // its speed of sound is a multiple
   static constexpr Supports supports{};
 
+  static std::optional<OptionFault> fault(const Params&) { return std::nullopt; }
   static double interaction_radius(const Params& p) { return support_of(p.kernel) * p.h_over_l0; }
   static int wall_layers(const Params& p) { return sph::wall_layers(p); }
   /// The step (s) that Solver::stable_step() takes when the fastest particle has this speed (m/s).
@@ -39,6 +43,11 @@ struct Method {
     const double stiffness = laplacian ? 1.0 : c.dimension / (c.dimension + 2.0);
     dt = std::min(dt, viscous_step(0.125 * stiffness, h, c.kinematic_viscosity));
     return std::min(dt, viscous_step(0.5, h, p.acoustic_damping * sound * h));
+  }
+
+  /// Bytes, fitted to measured runs.
+  static double memory(const Params& p, int, const ParticleCount& count) {
+    return (p.shifting == Shifting::none ? 400.0 : 650.0) * count.all();
   }
 
   template <int D>

@@ -32,6 +32,13 @@ void read_options(const TomlTable& table, Params& params) {
   });
 }
 
+/// An option that does not fit the others.
+struct OptionFault {
+  std::string name;
+  std::string found;
+  std::string expected;
+};
+
 /// An option as people read it.
 struct OptionText {
   std::string name;

@@ -1,42 +1,18 @@
 #include "particle/support/toml.hpp"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <charconv>
 #include <fstream>
-#include <map>
-#include <set>
-#include <sstream>
 
 #include "particle/support/spelling.hpp"
+#include "particle/support/toml_document.hpp"
 
 namespace surge {
 
+using toml_text::describe;
+using toml_text::in_quotes;
+using toml_text::list_text;
+
 namespace {
-
-std::string in_quotes(std::string_view text) {
-  return '"' + std::string(text) + '"';
-}
-
-std::string list_text(const auto& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
-  return text;
-}
-
-std::string describe(const toml::node& node) {
-  if (node.is_table()) return "a table";
-  if (const auto* array = node.as_array()) {
-    return array->is_array_of_tables() ? "an array of tables"
-                                       : "a list of " + std::to_string(array->size());
-  }
-  if (const auto* text = node.as_string()) return in_quotes(text->get());
-  if (const auto* value = node.as_floating_point()) return number_text(value->get());
-  if (const auto* value = node.as_integer()) return std::to_string(value->get());
-  if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
-  return "a date or time";
-}
 
 std::optional<double> as_number(const toml::node& node) {
   if (const auto* value = node.as_floating_point()) return value->get();
@@ -53,123 +29,7 @@ const toml::table& as_table(const void* table) {
   return *static_cast<const toml::table*>(table);
 }
 
-std::vector<std::string> split(std::string_view path) {
-  std::vector<std::string> parts;
-  std::istringstream stream{std::string(path)};
-  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
-  return parts;
-}
-
-/// The value of an override as a table of the one key `value`; what is not TOML is a string.
-toml::table override_value(const std::string& text) {
-  try {
-    toml::table parsed = toml::parse("value = " + text);
-    if (parsed.size() == 1 && parsed.contains("value")) return parsed;
-  } catch (const toml::parse_error&) {  // a bare word such as `wendland_c2`
-  }
-  return toml::table{{"value", text}};
-}
-
 }  // namespace
-
-struct TomlTable::Document {
-  std::string source;
-  toml::table root;
-  std::map<const toml::node*, std::string> overrides;          ///< nodes that came by --set
-  std::map<const toml::node*, std::set<std::string>> asked{};  ///< keys asked for, by table
-
-  void mark(const toml::node& node, const std::string& text) {
-    overrides[&node] = text;
-    if (const auto* table = node.as_table()) {
-      for (const auto& [key, child] : *table) mark(child, text);
-    } else if (const auto* array = node.as_array()) {
-      for (const auto& child : *array) mark(child, text);
-    }
-  }
-
-  [[nodiscard]] std::string origin(const toml::node& node) const {
-    if (const auto found = overrides.find(&node); found != overrides.end()) return found->second;
-    return source + ":" + std::to_string(std::max<unsigned>(1, node.source().begin.line));
-  }
-
-  void apply(const std::string& assignment);
-  [[nodiscard]] toml::node& descend(toml::node& node, const std::string& key,
-                                    const std::string& place);
-  void check_all_asked(const toml::table& table, const std::string& path) const;
-};
-
-/// The child of a table (made where missing) or of an array on the way to an overridden entry.
-toml::node& TomlTable::Document::descend(toml::node& node, const std::string& key,
-                                         const std::string& place) {
-  if (auto* table = node.as_table()) {
-    if (!table->contains(key)) mark(table->insert(key, toml::table{}).first->second, place);
-    return *table->get(key);
-  }
-  if (auto* array = node.as_array()) {
-    std::size_t index = 0;
-    const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (code == std::errc{} && end == key.data() + key.size() && index < array->size()) {
-      return *array->get(index);
-    }
-    throw Error(place + ": found " + in_quotes(key) + ", expected an index below " +
-                std::to_string(array->size()));
-  }
-  throw Error(place + ": found " + in_quotes(key) + " below " + describe(node) +
-              ", expected a table there");
-}
-
-void TomlTable::Document::apply(const std::string& assignment) {
-  const std::string place = "--set " + assignment;
-  const std::size_t equals = assignment.find('=');
-  const std::vector<std::string> path = split(assignment.substr(0, equals));
-  const bool hollow =
-      std::any_of(path.begin(), path.end(), [](const auto& part) { return part.empty(); });
-  if (equals == std::string::npos || path.empty() || hollow) {
-    throw Error(place + ": found " + in_quotes(assignment) + ", expected table.key=value");
-  }
-  toml::table parsed = override_value(assignment.substr(equals + 1));
-  toml::node* parent = &root;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) parent = &descend(*parent, path[i], place);
-  toml::node& value = *parsed.get("value");
-  if (auto* table = parent->as_table()) {
-    value.visit([&](auto& typed) { table->insert_or_assign(path.back(), std::move(typed)); });
-    mark(*table->get(path.back()), place);
-  } else {
-    toml::node& old = descend(*parent, path.back(), place);
-    auto& array = *parent->as_array();
-    const auto position =
-        std::find_if(array.begin(), array.end(), [&](auto& n) { return &n == &old; });
-    value.visit([&](auto& typed) { mark(*array.replace(position, std::move(typed)), place); });
-  }
-}
-
-void TomlTable::Document::check_all_asked(const toml::table& table, const std::string& path) const {
-  static const std::set<std::string> none;
-  const auto found = asked.find(&table);
-  const std::set<std::string>& known = found == asked.end() ? none : found->second;
-  for (const auto& [key, node] : table) {
-    const std::string name(key.str());
-    const std::string full = path.empty() ? name : path + "." + name;
-    if (!known.contains(name)) {
-      const bool overridden = overrides.contains(&node);
-      const std::string near = nearest(name, known);
-      throw Error(origin(node) + (overridden ? "" : ": " + full) + ": found unknown key " +
-                  in_quotes(name) + ", expected " +
-                  (!near.empty()   ? in_quotes(near)
-                   : known.empty() ? "no key here"
-                                   : "one of " + list_text(known)));
-    }
-    if (const auto* child = node.as_table()) {
-      check_all_asked(*child, full);
-    } else if (const auto* array = node.as_array()) {
-      for (std::size_t i = 0; i < array->size(); ++i) {
-        if (const auto* element = array->get(i)->as_table()) {
-          check_all_asked(*element, full + "." + std::to_string(i));
-        }
-      }
-    }
-  }
-}
 
 /// The steps that all getters share.
 struct TomlTable::Access {
@@ -224,23 +84,17 @@ TomlTable TomlTable::read(const std::filesystem::path& file,
   if (!std::filesystem::is_regular_file(file) || !stream) {
     throw Error(file.string() + ": found no readable file, expected a TOML file");
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse(text.str(), file.string(), overrides);
+  std::string text(most_toml_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return parse(text, file.string(), overrides);
 }
 
 TomlTable TomlTable::parse(std::string_view text, std::string source,
                            std::span<const std::string> overrides) {
   auto document = std::make_shared<Document>();
   document->source = std::move(source);
-  try {
-    document->root = toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    std::string reason(error.description());
-    std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(document->source + ":" + std::to_string(error.source().begin.line) +
-                ": found text that is not TOML (" + reason + "), expected key = value");
-  }
+  document->root = parse_bounded(text, document->source);
   for (const std::string& assignment : overrides) document->apply(assignment);
   const toml::table* root = &document->root;
   return {std::move(document), root, ""};
@@ -302,10 +156,11 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   return values;
 }
 
-std::vector<std::vector<double>> TomlTable::matrix(std::string_view key, std::size_t rows,
+std::vector<std::vector<double>> TomlTable::matrix(std::string_view key,
+                                                   std::optional<std::size_t> rows,
                                                    std::size_t columns) const {
-  const std::string expected =
-      std::to_string(rows) + " lists of " + std::to_string(columns) + " numbers";
+  const std::string expected = (rows ? std::to_string(*rows) : std::string("a list of")) +
+                               " lists of " + std::to_string(columns) + " numbers";
   std::vector<std::vector<double>> values;
   for (const toml::node& element : Access::array(*this, key, expected, rows)) {
     const toml::array* row = element.as_array();
@@ -344,6 +199,11 @@ bool TomlTable::has(std::string_view key) const {
   return Access::find(*this, key) != nullptr;
 }
 
+bool TomlTable::overridden(std::string_view key) const {
+  const toml::node* node = as_table(table_).get(key);
+  return node != nullptr && document_->overrides.contains(node);
+}
+
 std::string TomlTable::place(std::string_view key) const {
   const toml::table& table = as_table(table_);
   const std::string full = key.empty()     ? path_
@@ -359,6 +219,10 @@ Error TomlTable::error(std::string_view key, std::string_view found,
                        std::string_view expected) const {
   return Error(place(key) + ": found " + std::string(found) + ", expected " +
                std::string(expected));
+}
+
+std::filesystem::path TomlTable::folder() const {
+  return std::filesystem::path(document_->source).parent_path();
 }
 
 std::vector<std::string> TomlTable::keys() const {

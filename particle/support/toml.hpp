@@ -46,8 +46,9 @@ class TomlTable {
                                             std::optional<std::size_t> length = {},
                                             Bounds bounds = {}) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
-  /// A list of `rows` lists of `columns` numbers.
-  [[nodiscard]] std::vector<std::vector<double>> matrix(std::string_view key, std::size_t rows,
+  /// A list of `rows` lists (of any number where that is not given) of `columns` numbers.
+  [[nodiscard]] std::vector<std::vector<double>> matrix(std::string_view key,
+                                                        std::optional<std::size_t> rows,
                                                         std::size_t columns) const;
   [[nodiscard]] TomlTable table(std::string_view key) const;
   /// An array of tables, [[key]]; empty where there is none.
@@ -55,6 +56,8 @@ class TomlTable {
 
   // Entries that may be missing.
   [[nodiscard]] bool has(std::string_view key) const;
+  /// Whether an entry came by an override.
+  [[nodiscard]] bool overridden(std::string_view key) const;
   [[nodiscard]] double number_or(std::string_view key, double otherwise, Bounds bounds = {}) const {
     return has(key) ? number(key, bounds) : otherwise;
   }
@@ -85,6 +88,8 @@ class TomlTable {
                             std::string_view expected) const;
   /// The place of an entry, `file:line: table.key` or `--set table.key=value`.
   [[nodiscard]] std::string place(std::string_view key) const;
+  /// The folder that file names in the document are relative to: the one the document lies in.
+  [[nodiscard]] std::filesystem::path folder() const;
   /// All keys of this table, in alphabetical order. Reading them does not count as asking for them.
   [[nodiscard]] std::vector<std::string> keys() const;
 

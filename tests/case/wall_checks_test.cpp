@@ -63,6 +63,79 @@ TEST(WallThickness, HoldsInThreeDimensionsToo) {
   EXPECT_EQ(refusal(thick), "");
 }
 
+/// The small case with two obstacles.
+std::string refusal_of_two(const std::string& first, const std::string& second,
+                           std::vector<std::string> more = {}) {
+  std::string text = test::small_case;
+  text.insert(text.find("[[probe]]"), "[[obstacle]]\nlower = [0.0, 0.0]\nupper = [0.12, 0.12]\n");
+  const auto split = [](const std::string& box) {
+    const auto middle = box.find("][") + 1;
+    return std::pair{box.substr(0, middle), box.substr(middle)};
+  };
+  const auto [a, b] = split(first);
+  const auto [c, d] = split(second);
+  more.insert(more.end(), {"obstacle.0.lower=" + a, "obstacle.0.upper=" + b,
+                           "obstacle.1.lower=" + c, "obstacle.1.upper=" + d});
+  try {
+    static_cast<void>(parse_computation(text, "small.toml", more));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(WallThickness, BodiesThatTouchCountTogether) {
+  EXPECT_EQ(refusal_of_two("[0.06,0.0][0.08,0.11]", "[0.08,0.0][0.10,0.11]"), "");
+  // Where one is longer, its end is thin.
+  EXPECT_THAT(refusal_of_two("[0.06,0.0][0.08,0.11]", "[0.08,0.0][0.10,0.09]"),
+              HasSubstr("obstacle.0.upper=[0.08,0.11]: found a wall 0.02 m thick along x"));
+}
+
+TEST(WallThickness, OnlyWaterThatCanGetThereCounts) {
+  // A wall over the whole height keeps the right half dry.
+  EXPECT_EQ(refusal(wall("[0.06,0.0]", "[0.07,0.12]")), "");
+  EXPECT_NE(refusal(wall("[0.06,0.0]", "[0.07,0.11]")), "");
+}
+
+TEST(WallThickness, PeriodsJoinBothSides) {
+  // Alone in its period, which water from the left enters on the right.
+  EXPECT_THAT(refusal({"tank.periodic=[\"x\"]", "sph.h_over_l0=1.2", "obstacle.0.lower=[0.1,0.0]",
+                       "obstacle.0.upper=[0.12,0.12]"}),
+              HasSubstr("0.02 m thick along x"));
+  EXPECT_EQ(refusal({"tank.periodic=[\"x\"]", "sph.h_over_l0=1.2", "obstacle.0.lower=[0.08,0.0]",
+                     "obstacle.0.upper=[0.12,0.12]"}),
+            "");
+}
+
+TEST(WallThickness, GapsThatHoldNoParticleAreRefused) {
+  EXPECT_THAT(refusal(wall("[0.055,0.0]", "[0.115,0.02]")),
+              HasSubstr("found a gap of 0.005 m along x above obstacle.0"));
+  EXPECT_EQ(refusal(wall("[0.05,0.0]", "[0.11,0.02]")), "");
+  EXPECT_THAT(refusal(wall("[0.06,0.005]", "[0.12,0.105]")),
+              HasSubstr("tank.lower: found a gap of 0.005 m along y above the tank's wall"));
+  // No wall bounds the space below the open top.
+  EXPECT_EQ(refusal(wall("[0.06,0.055]", "[0.12,0.115]")), "");
+}
+
+TEST(Overlaps, OfSolidsAreRefusedTouchingIsNot) {
+  EXPECT_THAT(refusal_of_two("[0.06,0.0][0.10,0.12]", "[0.09,0.0][0.12,0.12]"),
+              HasSubstr("found an overlap with obstacle.1"));
+  EXPECT_EQ(refusal_of_two("[0.06,0.0][0.09,0.12]", "[0.09,0.0][0.12,0.12]"), "");
+}
+
+TEST(Blocks, MayTouchAndLieInAWetBed) {
+  std::string text = test::small_case;
+  text.insert(text.find("[[obstacle]]"),
+              "[[block]]\nshape = \"box\"\nlower = [0.04, 0.0]\nupper = [0.1, 0.02]\n");
+  const Case c = parse_computation(text, "small.toml").flow;
+  EXPECT_EQ(c.blocks.size(), 2U);
+}
+
+TEST(Gravity, MayPointAnywhere) {
+  for (const char* g : {"[9.81,0]", "[-9.81,0]", "[0,9.81]", "[6.9,-6.9]"})
+    EXPECT_EQ(refusal({std::string("fluid.gravity=") + g}), "") << g;
+}
+
 TEST(Probes, InsideAnObstacleAreRefusedOnItsSurfaceTheyAreNot) {
   EXPECT_THAT(refusal({"probe.0.position=[0.11,0.01]"}),
               HasSubstr("found a place inside obstacle.0"));

@@ -78,6 +78,47 @@ TEST_F(Program, ChecksACaseWithoutRunningIt) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
 }
 
+TEST_F(Program, ChecksIntoJson) {
+  const Result result = run("check case.toml --json --set method.name=mps");
+  ASSERT_EQ(result.status, 0);
+  const auto j = nlohmann::json::parse(result.output);
+  EXPECT_EQ(j["case"], to_json(test::make_computation({"method.name=mps"})));
+  EXPECT_EQ(j["size"]["fluid_particles"], 32);
+  ASSERT_EQ(run("run case.toml --out r --set method.name=mps").status, 0);
+  EXPECT_EQ(j["size"]["wall_particles"], manifest("r")["wall_particles"]);
+  EXPECT_EQ(j["size"]["frames"], manifest("r")["frames"]);
+}
+
+TEST_F(Program, TellsTheSizeOfARun) {
+  const std::string output = run("check case.toml").output;
+  for (const char* line : {"wall\n", "steps       about", "memory      about", "disk        about"})
+    EXPECT_THAT(output, testing::HasSubstr(line));
+}
+
+TEST_F(Program, ListsTheKeysOfACaseFile) {
+  EXPECT_THAT(run("list").output,
+              testing::AllOf(testing::HasSubstr("[[moving_wall]]"), testing::HasSubstr("per ="),
+                             testing::HasSubstr("kinematic_viscosity = m2/s; 0")));
+}
+
+TEST_F(Program, ARunWithoutAStepIsNotFinished) {
+  expect_error("run case.toml --out r --set time.end=1e-300", "in which no step is taken");
+  EXPECT_EQ(manifest("r")["finished"], false);
+  EXPECT_EQ(manifest("r")["steps"], 0);
+}
+
+TEST_F(Program, TextsOfAFileDoNotReachTheTerminalAsOrders) {
+  const std::string title = "--set 'title=\"a\\u001b[31mb\"'";
+  EXPECT_THAT(run("check case.toml " + title).output, testing::StartsWith("a?[31mb\n"));
+  expect_error("check case.toml --set 'probe.0.name=\"\\u001b[31m,\"'", "found \"?[31m,\"");
+}
+
+TEST_F(Program, SaysWhatItDoesNotRecord) {
+  std::ofstream(case_, std::ios::app) << "[[force]]\non = \"x-\"\n";
+  EXPECT_THAT(run("check case.toml").output,
+              testing::HasSubstr("note: 1 force of the case not recorded by the run"));
+}
+
 TEST_F(Program, WritesARunFolder) {
   for (const std::string method : {"mps", "sph"}) {
     const Result result =

@@ -18,9 +18,12 @@ COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["
 LEFT_UPWARDS = {
     "compare/read/run.cpp", "compare/measure/wall_pressure.hpp"}
 LEFT_LONG = {
-    "particle/mps/solver.cpp", "particle/sph/solver.cpp", "particle/support/toml.cpp",
+    "particle/mps/solver.cpp", "particle/sph/solver.cpp",
     "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp",
     "tests/workflow/allrun_test.py"}
+
+# The one file outside of a method's folder that names it.
+METHODS = "particle/io/methods.cpp"
 
 # What other programs may use of the particle library: it knows no method.
 SHARED = ("particle/support", "particle/case")
@@ -76,6 +79,22 @@ class Structure(unittest.TestCase):
         self.assertIn("below", violation(Path("particle/mps/a.cpp"), "particle/sph/params.hpp"))
         self.assertIn("below", violation(Path("compare/measure/a.cpp"), "compare/study/b.hpp"))
         self.assertIn("program", violation(Path("compare/read/a.cpp"), "particle/mps/b.hpp"))
+
+    def test_a_method_is_its_folder_and_one_entry(self):
+        methods = [path.parent.name for path in sources("particle") if path.name == "method.hpp"]
+        self.assertIn("mps", methods)
+        entry = (ROOT / METHODS).read_text(encoding="utf-8")
+        for method in methods:
+            self.assertEqual(1, entry.count(f"{method}::"), f"{METHODS}: one entry of {method}")
+            named = re.compile(rf'"{method}"|\b{method}::|"particle/{method}/')
+            for path in sources("particle"):
+                if path.suffix not in (".cpp", ".hpp", ".cmake", ".txt"):
+                    continue
+                if path.parts[1] == method or str(path) == METHODS:
+                    continue
+                lines = (re.sub(r"//.*", "", line)
+                         for line in (ROOT / path).read_text(encoding="utf-8").splitlines())
+                self.assertEqual([], [line for line in lines if named.search(line)], str(path))
 
     def test_files_are_short(self):
         found = {}

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -226,6 +227,66 @@ TEST(TomlTable, ReadsFilesAndMissesThem) {
   std::filesystem::remove(file);
   EXPECT_THROW(static_cast<void>(TomlTable::read(file)), Error);
   EXPECT_THROW(static_cast<void>(TomlTable::read(std::filesystem::temp_directory_path())), Error);
+}
+
+/// a.a.a, `parts` names.
+std::string chain(std::size_t parts) {
+  std::string toml = "a";
+  for (std::size_t k = 1; k < parts; ++k) toml += ".a";
+  return toml;
+}
+
+// Each of these ended in a crash: the parser, and what walks its tables, go down by recursion.
+TEST(TomlTable, DepthIsBounded) {
+  const auto refused = [](const std::string& toml) -> std::string {
+    try {
+      static_cast<void>(TomlTable::parse(toml, "deep.toml"));
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const std::string deep = chain(200000);
+  const std::string found = "deep.toml: found a key of 200000 names, expected at most 32";
+  EXPECT_EQ(refused(deep + " = 1\n"), found);
+  EXPECT_EQ(refused("[" + deep + "]\nb = 1\n"), found);
+  EXPECT_EQ(refused("x = [\"\"\"\n\"\"\", {" + deep + " = 1}]\n"), found);
+  EXPECT_EQ(refused("x = ['''\n'\\''', {" + deep + " = 1}]\n"), found);
+  EXPECT_EQ(refused("x = \"a\\\"#\"\n" + deep + " = 1\n"), found);
+  EXPECT_THAT(refused("x = " + std::string(100000, '[')), testing::HasSubstr("not TOML"));
+  std::string braces = "x = ";
+  for (int k = 0; k < 100000; ++k) braces += "{a=";
+  EXPECT_THAT(refused(braces), testing::HasSubstr("not TOML"));
+
+  EXPECT_EQ(refused(chain(32) + " = 1\n"), "accepted");
+  EXPECT_NE(refused(chain(33) + " = 1\n"), "accepted");
+  // Dots that join no names: in texts, comments and numbers.
+  const std::string dots(1000, '.');
+  EXPECT_EQ(refused("x = \"" + dots + "\" # " + dots + "\ny = '" + dots + "'\n"), "accepted");
+  EXPECT_EQ(refused("z = \"\"\"\n" + dots + "\n\"\" " + dots + "\"\"\"\n"), "accepted");
+  std::string numbers = "x = [0.0";
+  for (int k = 0; k < 1000; ++k) numbers += ", 0.5";
+  EXPECT_EQ(refused(numbers + "]\n"), "accepted");
+}
+
+TEST(TomlOverrides, DepthIsBounded) {
+  EXPECT_THROW(open({chain(200000) + "=1"}), Error);
+  // What is no TOML value of a reasonable depth is a text.
+  EXPECT_EQ(open({"name={" + chain(100) + "=1}"}).text("name"), "{" + chain(100) + "=1}");
+}
+
+TEST(TomlTable, SizeIsBounded) {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("surge_toml_large_" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(file) << "a = 2\n";
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 36);  // sparse: it takes no disk
+  try {
+    static_cast<void>(TomlTable::read(file));
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("expected a file of settings"));
+  }
+  std::filesystem::remove(file);
 }
 
 TEST(NumberText, ReadsBackAsTheSameNumber) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace surge {
+
+/// A text that a terminal shows and does not obey: control characters become '?'.
+[[nodiscard]] inline std::string printable(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 32 || code == 127) c = '?';
+  }
+  return out;
+}
+
+}  // namespace surge
