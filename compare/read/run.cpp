@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "compare/read/first_frame.hpp"
+#include "compare/read/foam_case.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
 
@@ -132,7 +133,8 @@ bool has_particle_files(const fs::path& folder) {
 }
 
 /// The path as the user means it: particles.pvd inside a run folder is the run.
-fs::path source_path(const fs::path& path) {
+fs::path source_path(const fs::path& given) {
+  const fs::path path = foam_case_folder(given);
   const bool ours =
       path.filename() == "particles.pvd" && fs::exists(path.parent_path() / "manifest.json");
   if (!ours) return path;
@@ -183,7 +185,11 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
   if (folder && fs::exists(run.path / "system" / "controlDict")) {
     run.kind = SourceKind::openfoam;
     run.frames = open_foam_case(run.path, options);
-    if (!stated) apply_foam_case(run, options);
+    if (stated) {
+      check_foam_case(run);
+    } else {
+      apply_foam_case(run, options);
+    }
   } else if (stated) {
     run.kind = SourceKind::particle_run;
     run.frames = open_particle_series(list_series(run.path / "particles.pvd"),
