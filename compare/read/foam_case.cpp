@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 
 #include "compare/read/foam_dictionary.hpp"
 #include "compare/read/foam_file.hpp"
@@ -104,6 +105,12 @@ MeshBox box_of(vtkUnstructuredGrid& grid) {
   return result;
 }
 
+std::string six_digits(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
 /// Length of most cells along x.
 Metres cell_length(vtkUnstructuredGrid& grid, FoamReader& reader) {
   std::vector<double> lengths;
@@ -117,8 +124,8 @@ Metres cell_length(vtkUnstructuredGrid& grid, FoamReader& reader) {
   const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
   std::nth_element(lengths.begin(), middle, lengths.end());
   if (high > 1.01 * low)
-    reader.tell("cells are " + number_text(low) + " to " + number_text(high) +
-                " m long along x: the median " + number_text(*middle) + " m is taken as spacing");
+    reader.tell("cells are " + six_digits(low) + " to " + six_digits(high) +
+                " m long along x: the median " + six_digits(*middle) + " m is taken as spacing");
   return Metres(*middle);
 }
 

@@ -312,8 +312,10 @@ std::vector<FoamBlock> foam_blocks(std::string_view text, const std::string& pla
     FoamCursor inside(part, place + ", block " + std::to_string(blocks.size()));
     // Only the first block has to have a header of its own.
     const FoamHeader header = part.empty() ? common : inside.header(common);
-    if (blocks.empty()) common = header;
     blocks.push_back({part, header});
+    // The counts in its note are those of the first block.
+    if (blocks.size() == 1) common = header;
+    common.note.clear();
   }
   return blocks;
 }

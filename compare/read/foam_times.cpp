@@ -194,8 +194,10 @@ std::vector<std::string> foam_phases(const fs::path& folder, const std::string& 
          !failed && it != end; it.increment(failed)) {
       std::string name = it->path().filename().string();
       if (name.ends_with(".gz")) name.resize(name.size() - 3);
-      static const std::regex phase("alpha\\.[A-Za-z0-9-]+"),
-          other("alpha[0-9]*|alpha[A-Z][a-z]+1?");
+      static const std::regex phase("alpha\\.[A-Za-z0-9_-]+");
+      static const std::regex other("alpha[0-9]*|alpha[A-Z][a-z]+1?");
+      // Old times and set-aside fields: alpha.water_0, alpha.orig.
+      if (name.ends_with("_0") || name.ends_with(".orig") || name.ends_with(".org")) continue;
       if (std::regex_match(name, phase)) phases.insert(name);
       if (std::regex_match(name, other) && !name.starts_with("alphaPhi")) others.insert(name);
     }
