@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "compare/read/foam_dictionary.hpp"
 #include "compare/read/foam_file.hpp"
@@ -103,12 +102,6 @@ MeshBox box_of(vtkUnstructuredGrid& grid) {
   for (std::size_t a = 0; a < 3; ++a)
     if (layers[a].size() == 2) result.single.push_back(a);
   return result;
-}
-
-std::string six_digits(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
 }
 
 /// Length of most cells along x.

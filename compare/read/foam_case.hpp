@@ -2,12 +2,16 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "compare/read/foam_reader.hpp"
 #include "compare/read/run.hpp"
 
 namespace surge::compare {
+
+/// A number as messages show it.
+[[nodiscard]] std::string six_digits(double value);
 
 /// The case that a path means: the folder of `name.foam` or `name.OpenFOAM`, else the path itself.
 [[nodiscard]] std::filesystem::path foam_case_folder(const std::filesystem::path& path);

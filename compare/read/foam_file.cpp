@@ -107,6 +107,7 @@ std::string read_packed(const fs::path& file, Descriptor descriptor) {
   const std::string why = gzerror(stream.get(), &code);
   if (code == Z_BUF_ERROR) throw FoamCutShort(file.string() + ": ends before it is unpacked");
   if (code != Z_OK) throw Error(file.string() + ": cannot be unpacked: " + why);
+  if (text.empty()) throw FoamCutShort(file.string() + ": empty");
   if (gzdirect(stream.get()) != 0)
     throw Error(file.string() + ": not compressed, a file made by gzip expected");
   return text;

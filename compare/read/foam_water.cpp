@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <sstream>
 
 #include "compare/read/foam_case.hpp"
-#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -27,7 +26,7 @@ std::array<double, 6> bounds_of(const MeshFrame& frame, std::size_t cell) {
 }
 
 std::string metres(double x) {
-  return number_text(std::round(x * 1e6) / 1e6) + " m";
+  return six_digits(std::round(x * 1e9) / 1e9) + " m";
 }
 
 /// A body of water as a manifest has it.
@@ -102,10 +101,10 @@ void check_blocks(const Run& run, const MeshFrame& frame, const std::vector<doub
     if (part > 0.0 && part < 1.0) cut += volumes[c];
   }
   if (misplaced <= most_misplaced * stated + cut) return;
-  throw Error(run.path.string() + ": water at time 0: " + number_text(there) + " m3 in the mesh, " +
-              number_text(stated) + " m3 in the " + std::to_string(blocks.size()) +
+  throw Error(run.path.string() + ": water at time 0: " + six_digits(there) + " m3 in the mesh, " +
+              six_digits(stated) + " m3 in the " + std::to_string(blocks.size()) +
               " blocks of manifest.json, " +
-              number_text(std::round(1000.0 * misplaced / std::max(stated, 1e-300)) / 10.0) +
+              six_digits(std::round(1000.0 * misplaced / std::max(stated, 1e-300)) / 10.0) +
               " % of it elsewhere; the same water expected (made by another setFieldsDict?)");
 }
 
@@ -130,14 +129,14 @@ void check_times(Run& run, FoamReader& reader) {
       return std::abs(t.value() - time) < 1e-3 * *interval;
     });
     if (there) continue;
-    if (++count <= 5) missing.append(" ").append(number_text(std::round(time * 1e9) / 1e9));
+    if (++count <= 5) missing.append(" ").append(six_digits(std::round(time * 1e9) / 1e9));
   }
   if (count == 0) return;
   std::string notice = std::to_string(count);
   notice.append(" of the times that manifest.json announces (every ")
-      .append(number_text(*interval))
+      .append(six_digits(*interval))
       .append(" s to ")
-      .append(number_text(*end))
+      .append(six_digits(*end))
       .append(" s) are not there:")
       .append(missing)
       .append(count > 5 ? " ..." : "");
@@ -145,6 +144,12 @@ void check_times(Run& run, FoamReader& reader) {
 }
 
 }  // namespace
+
+std::string six_digits(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
 
 WaterDepths water_depths(const MeshFrame& frame, const std::vector<double>& volumes,
                          const Extent& tank, std::size_t vertical, double bin) {

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -105,6 +106,14 @@ class FoamFormat {
  private:
   bool binary_;
 };
+
+/// All bytes of a file.
+inline std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream out;
+  out << in.rdbuf();
+  return out.str();
+}
 
 inline void write_packed(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
