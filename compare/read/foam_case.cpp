@@ -152,6 +152,60 @@ void settle_start(FoamReader& reader) {
   reader.tell("times count from the start of the case, " + number_text(first) + " s");
 }
 
+/// What controlDict says of the times; what it does not say in plain numbers is not known.
+struct StatedTimes {
+  double interval = 0.0;  ///< s
+  double end = 0.0;       ///< s
+};
+
+StatedTimes stated_times(const fs::path& root) {
+  StatedTimes stated;
+  try {
+    const auto control = FoamDictionary::read(root / "system" / "controlDict", root);
+    const std::vector<std::string> kind = control.words("writeControl");
+    if (kind.size() == 1 &&
+        (kind[0] == "adjustableRunTime" || kind[0] == "runTime" || kind[0] == "adjustable"))
+      stated.interval = control.number("writeInterval");
+    stated.end = control.number("endTime");
+  } catch (const Error&) {
+    // Only a hint at times that are missing.
+  }
+  return stated;
+}
+
+/// Tells of times that are missing: against what controlDict states, else against each other.
+void check_gaps(FoamReader& reader) {
+  const StatedTimes stated = stated_times(reader.root());
+  const double start = reader.start();
+  const std::vector<Seconds>& times = reader.times();
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back((times[i] - times[i - 1]).value());
+  double usual = stated.interval;
+  if (!(usual > 0.0)) {
+    if (gaps.empty()) return;
+    std::vector<double> sorted = gaps;
+    std::sort(sorted.begin(), sorted.end());
+    usual = sorted[(sorted.size() - 1) / 2];
+  }
+  std::string where;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] <= 1.5 * usual || ++count > 5) continue;
+    where.append(where.empty() ? "" : ", ")
+        .append(number_text(times[i].value()))
+        .append(" to ")
+        .append(number_text(times[i + 1].value()));
+  }
+  if (count > 0)
+    reader.tell(std::to_string(count) + (count == 1 ? " gap" : " gaps") +
+                " in the times, which are else " + six_digits(usual) + " s apart: " + where +
+                (count > 5 ? ", ..." : ""));
+  const double last = start + times.back().value();
+  if (stated.interval > 0.0 && stated.end - last > 0.5 * usual)
+    reader.tell("the last time is " + six_digits(last) + " s, endTime of the case " +
+                six_digits(stated.end) + " s (not finished?)");
+}
+
 void settle_axes(FoamReader& reader, const Vec3& gravity, std::optional<std::size_t> empty) {
   const auto frame = std::get<MeshFrame>(reader.read(0, Fields{}));
   const FoamAxes axes = foam_axes(gravity, empty, frame);
@@ -181,6 +235,7 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
   }
   settle_axes(reader, gravity, empty);
   settle_start(reader);
+  check_gaps(reader);
   const auto frame = std::get<MeshFrame>(reader.read(0, Fields{}));
   physics.gravity = reader.axes().read(gravity);
   physics.dimension = options.dimension.value_or(empty ? 2 : 3);
@@ -194,9 +249,11 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
     throw Error(run.path.string() + ": the first time is " +
                 number_text(reader.times().front().value()) +
                 " s: the column at time 0 expected, or --column-width");
-  physics.column.upper[0] =
-      column_edge(water_depths(frame, reader.volumes(), *physics.tank, up, run.spacing.value()),
-                  run.path.string());
+  const WaterDepths depths =
+      water_depths(frame, reader.volumes(), *physics.tank, up, run.spacing.value());
+  physics.column.upper[0] = column_edge(depths, run.path.string());
+  physics.column.upper[up] =
+      physics.floor() + *std::max_element(depths.depth.begin(), depths.depth.end());
 }
 
 }  // namespace surge::compare

@@ -38,6 +38,8 @@ class FoamReader : public FrameReader {
   [[nodiscard]] const FoamAxes& axes() const { return axes_; }
   /// Times count from the first one.
   void count_from_start();
+  /// What the case counts at the frames' time 0, s.
+  [[nodiscard]] double start() const { return folder_times_.front() - times_.front().value(); }
   /// Volume of the cells of the frame that was read last, m3, in its order.
   [[nodiscard]] const std::vector<double>& volumes() const { return mesh_.volume; }
   /// Axis of the case normal to its `empty` patches; none in 3D. Throws surge::Error for a wedge.

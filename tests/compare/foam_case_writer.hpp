@@ -145,7 +145,10 @@ class FoamCaseWriter {
     write_text(path_ / "system/controlDict", plain("dictionary", "system", "controlDict") +
                                                  "application interFoam;\nstartFrom startTime;\n"
                                                  "startTime " +
-                                                 layout_.times.front() + ";\n");
+                                                 layout_.times.front() +
+                                                 ";\nwriteControl adjustableRunTime;\n"
+                                                 "writeInterval 0.1;\nendTime " +
+                                                 layout_.times.back() + ";\n");
     write_text(path_ / "constant/g",
                plain("uniformDimensionedVectorField", "constant", "g") +
                    "dimensions [0 1 -2 0 0 0 0];\nvalue (" + foam_text(layout_.gravity[0]) + " " +

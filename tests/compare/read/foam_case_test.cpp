@@ -145,6 +145,18 @@ TEST_F(FoamCaseFiles, RegionWithTheWaterIsRead) {
   EXPECT_THAT(refusal(), HasSubstr("regions fluid, solid found, 2 with a volume fraction"));
 }
 
+TEST_F(FoamCaseFiles, TimesThatAreMissingAreTold) {
+  FoamLayout layout;
+  layout.times = {"0", "0.1", "0.2", "0.3"};
+  write(layout);
+  EXPECT_THAT(notices(), IsEmpty());
+  fs::remove_all(path() / "0.2");
+  EXPECT_THAT(notices(), ElementsAre(HasSubstr("1 gap in the times, which are else 0.1 s apart: "
+                                               "0.1 to 0.3")));
+  fs::remove_all(path() / "0.3");
+  EXPECT_THAT(notices(), ElementsAre(HasSubstr("the last time is 0.1 s, endTime of the case 0.3")));
+}
+
 TEST_F(FoamCaseFiles, ResultsInTwoPlacesAreTold) {
   write();
   FoamLayout layout;
