@@ -81,7 +81,7 @@ fs::path foam_case_folder(const fs::path& path) {
 std::unique_ptr<FrameReader> open_foam_case(const fs::path& folder, const SourceOptions& options) {
   if (!has_foam_file(folder / "system" / "controlDict"))
     throw Error(folder.string() + ": no system/controlDict found, an OpenFOAM case expected");
-  std::vector<Candidate> candidates{{"the case itself", {{folder}, false}}};
+  std::vector<Candidate> candidates{{"the case itself", {{folder}, false, 1}}};
   if (FoamParts parts = foam_processors(folder); !parts.folders.empty())
     candidates.push_back({"processor folders", std::move(parts)});
   if (FoamParts parts = foam_collated(folder); !parts.folders.empty())

@@ -125,9 +125,9 @@ void FoamReader::load_mesh(std::size_t index) {
                 texts[name].emplace_back(block.text);
                 headers[name].push_back(block.header);
               });
-    if (texts[name].size() != texts["points"].size())
+    if (texts[name].size() != parts_.processors)
       throw Error(root_.string() + ": " + name + " of " + std::to_string(texts[name].size()) +
-                  " processors found, " + std::to_string(texts["points"].size()) + " expected");
+                  " processors found, " + std::to_string(parts_.processors) + " expected");
   }
   std::vector<FoamMesh> meshes;
   for (std::size_t k = 0; k < texts["points"].size(); ++k) {

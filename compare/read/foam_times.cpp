@@ -112,6 +112,7 @@ FoamParts foam_processors(const fs::path& folder) {
                 " expected (numberOfSubdomains in system/decomposeParDict)");
   }
   for (const auto& [number, path] : found) parts.folders.push_back(path);
+  parts.processors = parts.folders.size();
   return parts;
 }
 
@@ -137,6 +138,7 @@ FoamParts foam_collated(const fs::path& folder) {
                 " processors found, one decomposition expected (remove the older)");
   }
   parts.collated = true;
+  parts.processors = static_cast<std::size_t>(*sizes.begin());
   int next = 0;
   for (const auto& [first, end] : found) {
     if (first != next) break;

@@ -23,6 +23,7 @@ struct FoamParts {
   /// or `processorsN_A-B` with the processors A to B.
   std::vector<std::filesystem::path> folders;
   bool collated = false;
+  std::size_t processors = 1;
 };
 
 /// Time folders of a case or processor by their value. Throws surge::Error where two are the same
