@@ -8,16 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "particle/case/case_checks.hpp"
-#include "particle/case/case_file.hpp"
-#include "particle/io/options.hpp"
+#include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/run.hpp"
 #include "particle/support/version.hpp"
 
 namespace {
-
-using surge::Case;
 
 struct Arguments {
   std::string case_file;
@@ -29,57 +25,30 @@ struct Arguments {
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
 
 int run(const Arguments& arguments) {
-  const Case c = surge::read_case(arguments.case_file, arguments.overrides);
-  const surge::RunEnd end = surge::run_case(c, arguments.run, std::cout);
+  const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
+  const surge::RunEnd end = surge::run_case(computation, arguments.run, std::cout);
   return end == surge::RunEnd::interrupted ? exit_interrupted : 0;
 }
 
 void check(const Arguments& arguments) {
-  const Case c = surge::read_case(arguments.case_file, arguments.overrides);
-  const surge::CaseSummary summary = surge::summarise(c);
-  std::cout << c.title << "\n  dimension   " << c.dimension << "\n  method      " << c.method_name()
-            << ", preset " << c.preset << "\n  spacing     " << c.spacing << " m\n  particles   "
-            << summary.fluid_particles << " fluid, " << summary.wall_particles
-            << " wall\n  end         " << c.time.end << " s, a frame every " << c.output_interval
-            << " s\n  steps       about " << std::lround(surge::estimated_steps(c))
-            << ", the first " << summary.first_step << " s\n";
+  const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
+  const surge::Case& c = computation.flow;
+  const surge::CaseSummary summary = surge::summarise(computation);
+  std::cout << c.title << "\n  dimension   " << c.dimension << "\n  method      "
+            << computation.method_name() << ", preset " << computation.preset << "\n  spacing     "
+            << c.spacing << " m\n  particles   " << summary.fluid_particles << " fluid, "
+            << summary.wall_particles << " wall\n  end         " << c.time.end
+            << " s, a frame every " << c.output_interval << " s\n  steps       about "
+            << std::lround(surge::estimated_steps(computation)) << ", the first "
+            << summary.first_step << " s\n";
 }
 
-/// The values that an option takes, for people.
-template <class T>
-std::string allowed(surge::Bounds bounds) {
-  if constexpr (std::is_enum_v<T>) {
-    std::string names;
-    for (const auto& entry : surge::enum_names<T>) {
-      names += (names.empty() ? "" : " | ") + std::string(entry.name);
-    }
-    return names;
-  } else {
-    return bounds.text().empty() ? "any" : bounds.text();
+void list_options(const surge::Method& method) {
+  std::cout << "\n[" << method.name << "]\n";
+  for (const surge::OptionText& option : method.describe(method.defaults())) {
+    std::cout << "  " << option.name << " = " << option.value << "\n      " << option.description
+              << " (" << option.allowed << ")\n";
   }
-}
-
-template <class T>
-std::string value_text(const T& value) {
-  if constexpr (std::is_enum_v<T>) {
-    return std::string(surge::name_of(value));
-  } else if constexpr (std::same_as<T, bool>) {
-    return value ? "true" : "false";
-  } else {
-    return surge::number_text(static_cast<double>(value));
-  }
-}
-
-template <class Params>
-void list_options(const char* method) {
-  std::cout << "\n[" << method << "]\n";
-  const Params defaults;
-  surge::visit_options(defaults, [](const char* name, const auto& value, surge::Bounds bounds,
-                                    const char* description) {
-    using Member = std::remove_cvref_t<decltype(value)>;
-    std::cout << "  " << name << " = " << value_text(value) << "\n      " << description << " ("
-              << allowed<Member>(bounds) << ")\n";
-  });
 }
 
 void list(const Arguments& arguments) {
@@ -90,8 +59,7 @@ void list(const Arguments& arguments) {
   }
   std::fflush(stdout);
   if (!arguments.options) return;
-  list_options<surge::mps::Params>("mps");
-  list_options<surge::sph::Params>("sph");
+  for (const surge::Method& method : surge::methods()) list_options(method);
 }
 
 std::string version_text() {
@@ -101,7 +69,7 @@ std::string version_text() {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app{"Free-surface flow with particles: MPS and SPH", "surge-particle"};
+  CLI::App app{"Free-surface flow with particles", "surge-particle"};
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   Arguments arguments;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
@@ -38,6 +39,17 @@ class Entry {
   [[nodiscard]] std::string text() const {
     if (!value_.is_string()) fail("a text");
     return value_.get<std::string>();
+  }
+
+  [[nodiscard]] std::size_t size() const {
+    if (!value_.is_array()) fail("an array");
+    return value_.size();
+  }
+
+  [[nodiscard]] std::set<std::string> names() const {
+    std::set<std::string> found;
+    for (std::size_t i = 0; i < size(); ++i) found.insert(at(i).text());
+    return found;
   }
 
   [[nodiscard]] Vec3 vector() const { return {at(0).number(), at(1).number(), at(2).number()}; }
@@ -86,9 +98,25 @@ void apply_manifest(Run& run, const fs::path& file) {
   physics.density = fluid.at("density").number();
   physics.kinematic_viscosity = fluid.at("kinematic_viscosity").number();
   physics.column = stated.at("blocks").at(0).extent();
+  physics.blocks.emplace();
+  for (std::size_t i = 0; i < stated.at("blocks").size(); ++i) {
+    const Entry block = stated.at("blocks").at(i);
+    WaterBody body{"box", block.extent(), {}};
+    if (block.has("shape")) body.shape = block.at("shape").text();
+    if (block.has("velocity")) body.velocity = block.at("velocity").vector();
+    physics.blocks->push_back(std::move(body));
+  }
+  if (stated.has("obstacles")) {
+    physics.obstacles.emplace();
+    for (std::size_t i = 0; i < stated.at("obstacles").size(); ++i)
+      physics.obstacles->push_back(stated.at("obstacles").at(i).extent());
+  }
   if (stated.has("tank")) {
     physics.tank = stated.at("tank").extent();
-    if (stated.at("tank").has("wall")) physics.wall = stated.at("tank").at("wall").text();
+    const Entry tank = stated.at("tank");
+    if (tank.has("wall")) physics.wall = tank.at("wall").text();
+    if (tank.has("open")) physics.open = tank.at("open").names();
+    if (tank.has("periodic")) physics.periodic = tank.at("periodic").names();
   }
   if (stated.has("cells_per_L")) {
     run.cells_per_width = stated.at("cells_per_L").number();

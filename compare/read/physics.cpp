@@ -9,9 +9,9 @@
 namespace surge::compare {
 namespace {
 
-constexpr const char* known_keys[] = {"dimension",     "gravity",    "column-width",
-                                      "column-height", "tank-width", "tank-height",
-                                      "density",       "viscosity",  "wall"};
+constexpr const char* known_keys[] = {
+    "dimension", "gravity", "column-width", "column-height", "tank-width", "tank-height", "density",
+    "viscosity", "wall",    "blocks",       "obstacles",     "open",       "periodic"};
 
 /// Collects differences between two named sides.
 class Comparer {
@@ -35,6 +35,44 @@ class Comparer {
     } else if (*a != *b) {
       differ(key, *a, *b);
     }
+  }
+
+  void names(const std::string& key, const std::optional<std::set<std::string>>& a,
+             const std::optional<std::set<std::string>>& b) {
+    const auto listed = [](const std::set<std::string>& names) {
+      std::string text;
+      for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+      return text.empty() ? "none" : text;
+    };
+    word(key, a ? std::optional(listed(*a)) : std::nullopt,
+         b ? std::optional(listed(*b)) : std::nullopt);
+  }
+
+  /// Lists in any order, each entry of the one with its like in the other.
+  template <class Body, class Same>
+  void bodies(const std::string& key, const std::optional<std::vector<Body>>& a,
+              const std::optional<std::vector<Body>>& b, const Same& same) {
+    if (!a || !b) {
+      result_.not_stated.push_back(key);
+      return;
+    }
+    std::vector<Body> left = *b;
+    std::size_t missing = 0;
+    for (const Body& body : *a) {
+      const auto found =
+          std::find_if(left.begin(), left.end(), [&](const Body& x) { return same(body, x); });
+      if (found == left.end()) {
+        ++missing;
+      } else {
+        left.erase(found);
+      }
+    }
+    if (missing == 0 && left.empty()) return;
+    differ(
+        key,
+        std::to_string(a->size()) + ", " + std::to_string(missing) + " of them not in " + name_b_,
+        std::to_string(b->size()) + ", " + std::to_string(left.size()) + " of them not in " +
+            name_a_);
   }
 
   void differ(const std::string& key, const std::string& a, const std::string& b) {
@@ -61,6 +99,17 @@ class Comparer {
 
 double relative(double a, double b) {
   return 1e-6 * std::max(std::abs(a), std::abs(b));
+}
+
+bool same_point(const Vec3& a, const Vec3& b, std::size_t dimension, double tolerance) {
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+    if (std::abs(a[axis] - b[axis]) > tolerance) return false;
+  return true;
+}
+
+bool same_box(const Extent& a, const Extent& b, std::size_t dimension, double tolerance) {
+  return same_point(a.lower, b.lower, dimension, tolerance) &&
+         same_point(a.upper, b.upper, dimension, tolerance);
 }
 
 std::optional<double> tank_height(const Physics& p, int up) {
@@ -136,6 +185,16 @@ PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, c
   compare.number("viscosity", " m2/s", a.kinematic_viscosity, b.kinematic_viscosity,
                  relative(a.kinematic_viscosity.value_or(0), b.kinematic_viscosity.value_or(0)));
   compare.word("wall", a.wall, b.wall);
+  const auto dimension = static_cast<std::size_t>(std::min(a.dimension, b.dimension));
+  compare.bodies("blocks", a.blocks, b.blocks, [&](const WaterBody& x, const WaterBody& y) {
+    return x.shape == y.shape && same_box(x.box, y.box, dimension, length_tolerance) &&
+           same_point(x.velocity, y.velocity, dimension, 1e-6);
+  });
+  compare.bodies("obstacles", a.obstacles, b.obstacles, [&](const Extent& x, const Extent& y) {
+    return same_box(x, y, dimension, length_tolerance);
+  });
+  compare.names("open", a.open, b.open);
+  compare.names("periodic", a.periodic, b.periodic);
   return compare.result();
 }
 

@@ -17,6 +17,13 @@ struct Extent {
   Vec3 upper{};  ///< m
 };
 
+/// A body of water at time zero.
+struct WaterBody {
+  std::string shape = "box";
+  Extent box;
+  Vec3 velocity{};  ///< m/s
+};
+
 /// What a run computed, as far as its files say so. The column and gravity are always known
 /// (without them there is no Z/L); what a foreign source does not state is empty.
 struct Physics {
@@ -27,6 +34,10 @@ struct Physics {
   std::optional<double> density;              ///< of the water, kg/m3
   std::optional<double> kinematic_viscosity;  ///< of the water, m2/s
   std::optional<std::string> wall;            ///< "slip" or "no-slip"
+  std::optional<std::vector<WaterBody>> blocks;
+  std::optional<std::vector<Extent>> obstacles;
+  std::optional<std::set<std::string>> open;      ///< sides without a wall: "x-" to "z+"
+  std::optional<std::set<std::string>> periodic;  ///< axes
 
   [[nodiscard]] double gravity_magnitude() const;
   /// Axis (0, 1, 2) that gravity points along; throws surge::Error where it is oblique, zero or
@@ -51,7 +62,8 @@ struct PhysicsComparison {
 };
 
 /// Keys: dimension, gravity, column-width, column-height, tank-width, tank-height, density,
-/// viscosity, wall. Lengths agree within 0.1 % of L, other numbers within 1e-6 relative.
+/// viscosity, wall, blocks, obstacles, open, periodic. Lengths agree within 0.1 % of L, other
+/// numbers within 1e-6 relative.
 [[nodiscard]] PhysicsComparison compare_physics(const Physics& a, const std::string& name_a,
                                                 const Physics& b, const std::string& name_b);
 

@@ -224,7 +224,7 @@ def _run(table: dict, where: str) -> Run:
         raise StudyError(f"{where}: group: found nothing, expected what a run of role {role} belongs to")
     if program == "interFoam":
         for setting in table.get("set", []):
-            if isinstance(setting, str) and not FOAM_SETTING.fullmatch(setting):
+            if isinstance(setting, str) and "=" in setting and not FOAM_SETTING.fullmatch(setting):
                 raise StudyError(f"{where}: set: found {setting!r}, expected 'name=value' of letters, "
                                  "digits, blanks and . + - ( ) _, which a dictionary takes as it is")
     case_there = os.path.isdir if program == "interFoam" else os.path.isfile
@@ -311,8 +311,11 @@ def _which(program: str) -> Path | None:
 @functools.cache
 def _program_digest(program: str) -> str:
     """Of the object files that a program is linked from, but for those that hold no code."""
-    objects = subprocess.run(["ninja", "-C", str(BUILD), "-t", "inputs", f"bin/{program}"],
-                             capture_output=True, text=True, check=False).stdout.split()
+    try:
+        objects = subprocess.run(["ninja", "-C", str(BUILD), "-t", "inputs", f"bin/{program}"],
+                                 capture_output=True, text=True, check=False).stdout.split()
+    except FileNotFoundError:  # a dry run comes before the packages
+        return "not built"
     found = sorted(BUILD / o for o in objects if o.endswith(".o"))
     found = [path for path in found if path.name not in NO_CODE and path.is_file()]
     return _digest(*_files(found)) if found else "not built"

@@ -67,13 +67,47 @@ def processor_name():
     return platform.machine()
 
 
+def water_regions():
+    """Boxes that setFields fills with water, in its order: [lower, upper] each.
+
+    What it cannot state as boxes of water is refused: a manifest must hold all that was in the case.
+    """
+    text = entry("system/setFieldsDict", "regions")
+    found = re.findall(r"(\w+)\s*\{([^{}]*)\}", text)
+    if not found:
+        raise SystemExit("manifest.py: system/setFieldsDict: regions: found none, expected at least one")
+    boxes = []
+    for name, body in found:
+        where = f"manifest.py: system/setFieldsDict: regions: {name}"
+        if name != "boxToCell":
+            raise SystemExit(f"{where}: found a region of this kind, expected boxToCell")
+        box = re.search(r"\bbox\s*(\([^()]*\)\s*\([^()]*\))", body)
+        values = re.findall(r"volScalarFieldValue\s+alpha\.water\s+([^\s()]+)", body)
+        if not box or len(numbers(box[1])) != 6 or values != ["1"]:
+            raise SystemExit(f"{where}: found {' '.join(body.split())}, expected a box with alpha.water 1")
+        corners = numbers(box[1])
+        boxes.append((corners[:3], corners[3:]))
+    return boxes
+
+
+def covered_area(blocks):
+    """Area of the union of boxes in the plane: what two of them share counts once."""
+    def edges(axis):
+        return sorted({block[end][axis] for block in blocks for end in ("lower", "upper")})
+
+    def is_in(block, x, y):
+        return (block["lower"][0] < x < block["upper"][0]) and (block["lower"][1] < y < block["upper"][1])
+
+    xs, ys = edges(0), edges(1)
+    return sum((right - left) * (top - bottom)
+               for left, right in zip(xs, xs[1:]) for bottom, top in zip(ys, ys[1:])
+               if any(is_in(block, (left + right) / 2, (bottom + top) / 2) for block in blocks))
+
+
 def geometry():
-    """Tank and column, from the mesh and the dictionary that filled it."""
+    """Tank and water, from the mesh and the dictionary that filled it."""
     mesh = pathlib.Path("log.blockMesh").read_text()
     box = numbers(re.search(r"boundingBox: (.*)", mesh)[1])
-    column = numbers(entry("system/setFieldsDict", "regions"))[:6]
-    lower = [max(a, b) for a, b in zip(box[:3], column[:3])]
-    upper = [min(a, b) for a, b in zip(box[3:], column[3:])]
     wall = entry("0.orig/U", "boundaryField/floor/type")
     tank = {
         "lower": flat(box[:3]),
@@ -82,8 +116,16 @@ def geometry():
         "periodic": [],
         "wall": {"slip": "slip", "noSlip": "no-slip"}[wall],
     }
-    block = {"shape": "box", "lower": flat(lower), "upper": flat(upper), "velocity": [0, 0, 0]}
-    return tank, block, int(re.search(r"nCells: (\d+)", mesh)[1])
+    blocks = []
+    for region_lower, region_upper in water_regions():
+        lower = [max(a, b) for a, b in zip(box[:3], region_lower)]
+        upper = [min(a, b) for a, b in zip(box[3:], region_upper)]
+        if all(a < b for a, b in zip(lower, upper)):
+            blocks.append({"shape": "box", "lower": flat(lower), "upper": flat(upper),
+                           "velocity": [0, 0, 0]})
+    if not blocks:
+        raise SystemExit("manifest.py: system/setFieldsDict: regions: found no water inside the mesh")
+    return tank, blocks, int(re.search(r"nCells: (\d+)", mesh)[1])
 
 
 def method(solver):
@@ -110,15 +152,14 @@ def manifest():
     control, transport = "system/controlDict", "constant/transportProperties"
     solver = entry(control, "application")
     log = pathlib.Path(f"log.{solver}").read_text()
-    tank, block, cells = geometry()
+    tank, blocks, cells = geometry()
     end = number(control, "endTime")
     simulated = numbers("\n".join(re.findall(r"^Time = (.*)", log, re.M)))
     processes = re.search(r"^nProcs : (\d+)", log, re.M)
     volumes = [float(row[1]) for row in rows("waterVolume")]
     thickness = numbers(pathlib.Path("log.blockMesh").read_text().split("boundingBox:")[1])[5]
     probe = flat(numbers(entry(control, "functions/wallPressure/probeLocations")))
-    filled = (block["upper"][0] - block["lower"][0]) * (block["upper"][1] - block["lower"][1])
-    initial = filled * thickness
+    initial = covered_area(blocks) * thickness
     extremes = [(float(row[2]), float(row[4])) for row in rows("alphaRange")]
     setup = seconds("blockMesh", "setFields", "decomposePar")
     solve, output = seconds("solve"), seconds("reconstructPar")
@@ -158,7 +199,7 @@ def manifest():
             },
             "surface_tension": number(transport, "sigma"),
             "tank": tank,
-            "blocks": [block],
+            "blocks": blocks,
             "obstacles": [],
             "probes": [{"name": "wall_pressure", "position": probe}],
             "time": {

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "particle/case/motion.hpp"
-#include "particle/mps/params.hpp"
-#include "particle/sph/params.hpp"
 
 namespace surge {
 
@@ -75,11 +73,7 @@ struct TimeControl {
   double courant = 0.2;        ///< v_max dt / l0
 };
 
-/// How neighbours are found: every particle against every other, O(N^2) as in the paper, or by
-/// cells, O(N).
-enum class Search { all_pairs, cell_grid };
-
-/// One physical case and the method that computes it, checked and complete.
+/// One physical case, checked and complete. It knows no method.
 struct Case {
   std::string title;
   int dimension = 2;
@@ -99,13 +93,6 @@ struct Case {
   double spacing = 0.005;  ///< l0, m
   TimeControl time;
   double output_interval = 0.01;  ///< s between frames
-  Search search = Search::cell_grid;
-  std::string preset = "paper";
-  std::variant<mps::Params, sph::Params> method;
-
-  [[nodiscard]] std::string method_name() const {
-    return std::holds_alternative<mps::Params>(method) ? "mps" : "sph";
-  }
 };
 
 }  // namespace surge

@@ -6,8 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "particle/core/initial_particles.hpp"
-#include "particle/io/options.hpp"
+#include "particle/case/scales.hpp"
 
 namespace surge {
 
@@ -56,10 +55,8 @@ class Checker {
     if (case_.blocks.empty()) throw root_.error("block", "no fluid", "at least one [[block]]");
     if (case_.has_tank) check_tank();
     check_bodies("block");
-    check_speed();
     check_bodies("obstacle");
     check_overlaps();
-    check_thickness();
     check_probes();
     check_size();
   }
@@ -87,38 +84,6 @@ class Checker {
     }
   }
 
-  /// Whether water can be on a side of an obstacle: there is more than a spacing to the tank's
-  /// wall.
-  [[nodiscard]] bool has_room(const Box& box, std::size_t a, bool upper) const {
-    if (!case_.has_tank || case_.tank.periodic[a]) return true;
-    const double gap =
-        upper ? case_.tank.box.upper[a] - box.upper[a] : box.lower[a] - case_.tank.box.lower[a];
-    return gap > 0.5 * case_.spacing;
-  }
-
-  /// Particles act on each other through a wall that is thinner than their radius of interaction.
-  void check_thickness() const {
-    const std::vector<TomlTable> tables = root_.tables("obstacle");
-    const double radius = interaction_radius(case_);
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-      const Box& box = case_.obstacles[i];
-      for (std::size_t a = 0; a < dimension_; ++a) {
-        const double thickness = box.upper[a] - box.lower[a];
-        if (thickness >= radius * (1.0 - relative_tolerance)) continue;
-        if (!has_room(box, a, false) || !has_room(box, a, true)) continue;
-        const std::string finer =
-            number_text(std::floor(1e6 * case_.spacing * thickness / radius) / 1e6);
-        throw tables[i].error(
-            "upper",
-            "a wall " + number_text(std::round(thickness * 1e9) / 1e9) + " m thick along " +
-                axis[a] + " with room for water on both sides",
-            "at least " + number_text(std::round(radius * 1e9) / 1e9) +
-                " m, over which particles act on each other, or a spacing of at most " + finer +
-                " m");
-      }
-    }
-  }
-
   /// The box has extent, and the spacing divides it.
   void check_extent(const TomlTable& table, const Box& box) const {
     for (std::size_t a = 0; a < dimension_; ++a) {
@@ -140,7 +105,6 @@ class Checker {
     const TomlTable table = root_.table("tank");
     const Tank& tank = case_.tank;
     check_extent(table, tank.box);
-    const double reach = 2.0 * interaction_radius(case_);
     for (std::size_t a = 0; a < dimension_; ++a) {
       if (!tank.periodic[a]) continue;
       for (const std::size_t side : {2 * a, 2 * a + 1}) {
@@ -149,19 +113,7 @@ class Checker {
         throw table.error("open", '"' + name + '"',
                           "no open side on the periodic axis " + std::string(axis[a]));
       }
-      const double period = tank.box.upper[a] - tank.box.lower[a];
-      if (period < reach * (1.0 - relative_tolerance)) {
-        throw table.error("periodic", "a period of " + number_text(period) + " m in " + axis[a],
-                          "at least twice the interaction radius, " + number_text(reach) + " m");
-      }
     }
-  }
-
-  /// SPH takes its speed of sound from the flow's: there must be one.
-  void check_speed() const {
-    if (case_.method_name() != "sph" || reference_speed(case_) > 0.0) return;
-    throw root_.table("fluid").error("reference_speed", "a case without a speed",
-                                     "the flow's largest speed in m/s");
   }
 
   void check_wave(const TomlTable& table, const FluidBlock& block) const {
@@ -301,15 +253,6 @@ void check_case(const Case& c, const TomlTable& root) {
   Checker(c, root).check();
 }
 
-double interaction_radius(const Case& c) {
-  if (const auto* mps = std::get_if<mps::Params>(&c.method)) {
-    return std::max(mps->re_gradient, mps->re_laplacian) * c.spacing;
-  }
-  const auto& sph = std::get<sph::Params>(c.method);
-  const double support = sph.kernel == sph::Kernel::quintic_spline ? 3.0 : 2.0;
-  return support * sph.h_over_l0 * c.spacing;
-}
-
 double fluid_particle_count(const Case& c) {
   double total = 0.0;
   for (const FluidBlock& block : c.blocks) {
@@ -321,18 +264,6 @@ double fluid_particle_count(const Case& c) {
     total += block.shape == FluidBlock::Shape::ball ? std::round(count * ball_in_box) : count;
   }
   return total;
-}
-
-double estimated_steps(const Case& c) {
-  const double speed = reference_speed(c);
-  double step = c.time.maximum_step;
-  if (speed > 0.0) step = std::min(step, c.time.courant * c.spacing / speed);
-  if (const auto* sph = std::get_if<sph::Params>(&c.method); sph != nullptr && speed > 0.0) {
-    const double sound = sph->sound_speed_ratio * speed;
-    const double acoustic = sph->acoustic_courant * sph->h_over_l0 * c.spacing / (sound + speed);
-    if (acoustic > 0.0) step = std::min(step, acoustic);
-  }
-  return std::ceil(c.time.end / step);
 }
 
 }  // namespace surge

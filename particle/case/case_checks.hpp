@@ -1,23 +1,36 @@
 #pragma once
 
+#include <string_view>
+
 #include "particle/case/case.hpp"
 #include "particle/support/toml.hpp"
 
 namespace surge {
 
+/// What of a case a program can compute. Nothing that a case says is left out in silence.
+struct Supports {
+  bool tank_motion = false;
+  bool moving_walls = false;
+};
+
+/// What the checks must know of the method that computes a case.
+struct MethodFacts {
+  std::string_view name;
+  double interaction_radius = 0.0;  ///< over which two of its particles act on each other, in l0
+  bool needs_reference_speed = false;
+  Supports supports;
+};
+
 /// Checks what single entries cannot show: that the bodies fit into the tank and not into each
-/// other, that the spacing divides them, that periods hold two interaction radii and so on.
-/// `root` is the file that the case was read from, for the places of errors. Throws Error.
+/// other, that the spacing divides them and so on. `root` is the file that the case was read from,
+/// for the places of errors. Throws Error.
 void check_case(const Case& c, const TomlTable& root);
 
-/// The largest distance (m) over which two particles of the case's method act on each other.
-[[nodiscard]] double interaction_radius(const Case& c);
+/// Checks what depends on the method: that periods hold two interaction radii, that walls are
+/// thicker than one, that the method computes all that the case says. Throws Error.
+void check_case_for(const MethodFacts& method, const Case& c, const TomlTable& root);
 
 /// Number of fluid particles that fill the blocks at the case's spacing; of balls by their volume.
 [[nodiscard]] double fluid_particle_count(const Case& c);
-
-/// A guess of the number of steps to the end: Eq. (25) with the case's reference speed, and the
-/// method's acoustic limit. The flow is slower most of the time, so that there are fewer.
-[[nodiscard]] double estimated_steps(const Case& c);
 
 }  // namespace surge

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "particle/case/case_checks.hpp"
-#include "particle/io/options.hpp"
-#include "particle/io/presets.hpp"
+#include "particle/case/enum_names.hpp"
 
 namespace surge {
 
@@ -12,7 +10,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> side_names{"x-", "x+", "y-", "y+", "z-", "z+"};
 constexpr std::array<std::string_view, 3> axis_names{"x", "y", "z"};
-constexpr std::array<std::string_view, 2> method_names{"mps", "sph"};
 
 std::size_t size(int dimension) {
   return static_cast<std::size_t>(dimension);
@@ -78,32 +75,9 @@ TimeControl read_time(const TomlTable& table) {
   return time;
 }
 
-/// The options of a method: preset first, then the case file's own table.
-template <class Params>
-Params read_method(const TomlTable& root, std::string_view name, const std::string& preset) {
-  Params params;
-  apply_preset(preset, params);
-  if (const auto table = root.optional_table(name)) read_options(*table, params);
-  return params;
-}
+}  // namespace
 
-void read_method(const TomlTable& root, Case& c) {
-  const TomlTable table = root.table("method");
-  const std::string_view name = method_names[table.choice("name", method_names)];
-  const std::vector<std::string> presets = preset_names(name);
-  const std::vector<std::string_view> names(presets.begin(), presets.end());
-  if (table.has("preset")) c.preset = presets[table.choice("preset", names)];
-  // A file may hold a table for either method; both are checked, one is used.
-  const auto mps = read_method<mps::Params>(root, "mps", name == "mps" ? c.preset : "paper");
-  const auto sph = read_method<sph::Params>(root, "sph", name == "sph" ? c.preset : "paper");
-  if (name == "mps") {
-    c.method = mps;
-  } else {
-    c.method = sph;
-  }
-}
-
-Case read_tables(const TomlTable& root) {
+Case read_case(const TomlTable& root) {
   Case c;
   c.title = root.text("title");
   c.dimension = static_cast<int>(root.integer("dimension", Bounds::closed(2, 3)));
@@ -125,29 +99,7 @@ Case read_tables(const TomlTable& root) {
   c.spacing = root.table("resolution").number("spacing", Bounds::above(0.0));
   c.time = read_time(root.table("time"));
   c.output_interval = root.table("output").number("interval", Bounds::above(0.0));
-  if (const auto search = root.optional_table("search")) {
-    c.search = search->enumerator("neighbours", enum_names<Search>);
-  }
-  read_method(root, c);
   return c;
-}
-
-Case checked(const TomlTable& root) {
-  Case c = read_tables(root);
-  root.finish();
-  check_case(c, root);
-  return c;
-}
-
-}  // namespace
-
-Case read_case(const std::filesystem::path& file, std::span<const std::string> overrides) {
-  return checked(TomlTable::read(file, overrides));
-}
-
-Case parse_case(std::string_view text, const std::string& source,
-                std::span<const std::string> overrides) {
-  return checked(TomlTable::parse(text, source, overrides));
 }
 
 }  // namespace surge

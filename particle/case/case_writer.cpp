@@ -2,7 +2,7 @@
 
 #include "particle/case/case_file.hpp"
 #include "particle/case/case_json.hpp"
-#include "particle/io/options.hpp"
+#include "particle/case/enum_names.hpp"
 
 namespace surge {
 
@@ -40,19 +40,6 @@ json block_json(const FluidBlock& block) {
   j["velocity"] = block.velocity;
   j["velocity_gradient"] = block.velocity_gradient;
   j["wave_amplitude"] = block.wave_amplitude;
-  return j;
-}
-
-json options_json(const Case& c) {
-  json j = json::object();
-  const auto add = [&](const char* name, const auto& member, Bounds, const char*) {
-    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(member)>>) {
-      j[name] = name_of(member);
-    } else {
-      j[name] = member;
-    }
-  };
-  std::visit([&](const auto& params) { visit_options(params, add); }, c.method);
   return j;
 }
 
@@ -104,9 +91,13 @@ json to_json(const Case& c) {
                {"maximum_step", c.time.maximum_step},
                {"courant", c.time.courant}};
   j["output"] = {{"interval", c.output_interval}};
-  j["search"] = {{"neighbours", name_of(c.search)}};
-  j["method"] = {{"name", c.method_name()}, {"preset", c.preset}, {"parameters", options_json(c)}};
   return j;
+}
+
+std::string toml_table(const std::string& header, const json& entries) {
+  std::ostringstream out;
+  write_table(out, header, entries, 3);
+  return out.str();
 }
 
 // JSON's numbers, strings and lists are TOML's, so that only the tables differ.
@@ -123,10 +114,6 @@ std::string to_toml(const Case& c) {
   write_table(out, "[resolution]", {{"spacing", c.spacing}}, dimension);
   write_table(out, "[time]", j["time"], dimension);
   write_table(out, "[output]", j["output"], dimension);
-  write_table(out, "[search]", j["search"], dimension);
-  write_table(out, "[method]", {{"name", c.method_name()}, {"preset", c.preset}}, dimension);
-  write_table(out, std::string("[").append(c.method_name()).append("]"), j["method"]["parameters"],
-              dimension);
   return out.str();
 }
 

@@ -9,6 +9,7 @@
 
 #include "particle/case/case.hpp"
 #include "particle/core/particles.hpp"
+#include "particle/core/search.hpp"
 
 namespace surge {
 

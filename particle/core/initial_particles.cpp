@@ -37,19 +37,6 @@ Vec<D> cell_centre(const Box& box, const std::array<int, D>& k, double l0) {
   return x;
 }
 
-double length(const Point& v) {
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
-Point block_velocity(const FluidBlock& block, const Point& x) {
-  Point v = block.velocity;
-  for (std::size_t a = 0; a < 3; ++a)
-    for (std::size_t b = 0; b < 3; ++b)
-      v[a] +=
-          block.velocity_gradient[a][b] * (x[b] - 0.5 * (block.box.lower[b] + block.box.upper[b]));
-  return v;
-}
-
 /// Velocity (m/s) at time zero of the standing wave eta = A cos k(x - x0) sin omega t on a layer of
 /// depth H between frictionless walls at x0 and x0 + pi/k, when its surface is flat: by linear
 /// theory (Lamb, Hydrodynamics, Art. 228),
@@ -88,7 +75,7 @@ void add_block(Particles<D>& p, const FluidBlock& block, double g, double l0) {
     const Vec<D> x = cell_centre<D>(block.box, k, l0);
     const Point point = as_point<D>(x);
     if (block.shape == FluidBlock::Shape::ball && !inside_ball(block.box, point, D)) return;
-    const Point velocity = block_velocity(block, point);
+    const Point velocity = initial_velocity(block, point);
     Vec<D> v;
     std::copy_n(velocity.begin(), D, v.begin());
     if (block.wave_amplitude > 0.0) {
@@ -135,13 +122,6 @@ void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
   });
 }
 
-/// Height of a point of the box above the box's lowest point, along -gravity: its extent.
-double extent_along(const Box& box, const Point& direction) {
-  double sum = 0.0;
-  for (std::size_t a = 0; a < 3; ++a) sum += std::abs(direction[a]) * (box.upper[a] - box.lower[a]);
-  return sum;
-}
-
 }  // namespace
 
 template <int D>
@@ -151,13 +131,6 @@ Particles<D> initial_particles(const Case& c, int wall_layers) {
   if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
   for (const Box& box : c.obstacles) add_obstacle<D>(p, box, c.spacing, wall_layers);
   return p;
-}
-
-Point still_gravity(const Case& c) {
-  Point g = c.gravity;
-  for (std::size_t a = 0; a < 3; ++a)
-    if (c.has_tank && c.tank.periodic[a]) g[a] = 0.0;
-  return g;
 }
 
 template <int D>
@@ -180,36 +153,6 @@ double initial_depth(const Case& c, const Vec<D>& x, double reach) {
     if (outside <= reach * reach) depth = std::max(depth, below_top);
   }
   return depth;
-}
-
-double reference_speed(const Case& c) {
-  if (c.reference_speed > 0.0) return c.reference_speed;
-  const Point gravity = still_gravity(c);
-  const double g = length(gravity);
-  double speed = 0.0;
-  for (const FluidBlock& block : c.blocks) {
-    // The fluid can fall from the top of its block to the tank's floor.
-    double height = 0.0;
-    if (g > 0.0) {
-      const Point down{gravity[0] / g, gravity[1] / g, gravity[2] / g};
-      height = extent_along(block.box, down);
-      if (c.has_tank) {
-        for (std::size_t a = 0; a < 3; ++a) {
-          const double drop = down[a] < 0.0 ? block.box.lower[a] - c.tank.box.lower[a]
-                                            : c.tank.box.upper[a] - block.box.upper[a];
-          height += std::abs(down[a]) * drop;
-        }
-      }
-    }
-    speed = std::max(speed, std::sqrt(2.0 * g * height));
-    for (int corner = 0; corner < 8; ++corner) {
-      Point x;
-      for (std::size_t a = 0; a < 3; ++a)
-        x[a] = (corner >> a & 1) != 0 ? block.box.upper[a] : block.box.lower[a];
-      speed = std::max(speed, length(block_velocity(block, x)));
-    }
-  }
-  return speed;
 }
 
 template Particles<2> initial_particles<2>(const Case&, int);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "particle/case/case.hpp"
+#include "particle/case/scales.hpp"
 #include "particle/core/particles.hpp"
 
 namespace surge {
@@ -12,19 +13,10 @@ namespace surge {
 template <int D>
 Particles<D> initial_particles(const Case& c, int wall_layers);
 
-/// Gravity without its components along periodic axes (m/s2): those drive a flow, and nothing at
-/// rest balances them.
-Point still_gravity(const Case& c);
-
 /// Depth below the top of the fluid block that a point lies in or next to (within `reach`), along
 /// still_gravity(), m; 0 where there is no such block or no gravity. For hydrostatic initial
 /// states.
 template <int D>
 double initial_depth(const Case& c, const Vec<D>& x, double reach);
-
-/// The speed scale of a case, m/s: as the case states it, or sqrt(2 g H), H the height of the
-/// highest block along still_gravity() above the tank's floor, or the largest initial speed,
-/// whichever is larger.
-double reference_speed(const Case& c);
 
 }  // namespace surge

@@ -8,7 +8,7 @@
 
 namespace surge {
 
-/// What the run loop needs of a method: mps::Solver<D> and sph::Solver<D> are built from a Case.
+/// What the run loop needs of a method: Solver<D>(const Case&, const Params&, Search).
 template <class S>
 concept ParticleSolver = requires(S solver, const S& view, double dt_limit, Clock& clock) {
   /// Advances by one step, no longer than dt_limit (s).

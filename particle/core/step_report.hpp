@@ -9,6 +9,7 @@ struct StepReport {
   double v_max = 0.0;         ///< m/s
   int ppe_iterations = 0;     ///< MPS: iterations of the pressure solver (0 for a direct one)
   double ppe_residual = 0.0;  ///< MPS: relative residual reached
+  bool ppe_converged = true;  ///< MPS: that is within the tolerance
   double ppe_setup_s = 0.0;   ///< MPS: wall time of the preconditioner or factorisation, s
   double ppe_solve_s = 0.0;   ///< MPS: wall time of the rest of the pressure solver, s
   long particle_collisions = 0;

@@ -1,9 +1,9 @@
 #include "particle/io/manifest.hpp"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 
-#include "particle/case/case_json.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge {
@@ -35,11 +35,15 @@ void RunRecord::add(const StepReport& report) {
   wall_collisions += report.wall_collisions;
   particle_collisions += report.particle_collisions;
   ppe_iterations += report.ppe_iterations;
+  if (!report.ppe_converged) {
+    ++ppe_unconverged;
+    ppe_worst_residual = std::max(ppe_worst_residual, report.ppe_residual);
+  }
   ppe_setup += report.ppe_setup_s;
   ppe_solve += report.ppe_solve_s;
 }
 
-std::string manifest_text(const RunRecord& record, const Case& c) {
+std::string manifest_text(const RunRecord& record, const Computation& computation) {
   const BuildInfo build = build_info();
   nlohmann::ordered_json j;
   j["program"] = "surge-particle";
@@ -64,13 +68,15 @@ std::string manifest_text(const RunRecord& record, const Case& c) {
   j["clipped"] = record.clipped;
   j["wall_collisions"] = record.wall_collisions;
   j["particle_collisions"] = record.particle_collisions;
-  if (c.method_name() == "mps") {
+  if (computation.method->solves_pressure) {
     j["ppe"] = {{"iterations", record.ppe_iterations},
+                {"unconverged", record.ppe_unconverged},
+                {"worst_residual", record.ppe_worst_residual},
                 {"setup_s", record.ppe_setup},
                 {"solve_s", record.ppe_solve}};
   }
   j["nonfinite"] = record.nonfinite;
-  j["case"] = to_json(c);
+  j["case"] = to_json(computation);
   return j.dump(2) + '\n';
 }
 

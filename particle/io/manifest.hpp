@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "particle/case/case.hpp"
 #include "particle/core/clock.hpp"
 #include "particle/core/step_report.hpp"
+#include "particle/io/computation.hpp"
 
 namespace surge {
 
@@ -29,16 +29,18 @@ struct RunRecord {
   long clipped = 0;
   long wall_collisions = 0;
   long particle_collisions = 0;
-  long ppe_iterations = 0;  ///< of all steps; the pressure solver of MPS
-  double ppe_setup = 0.0;   ///< s in all, preconditioner or factorisation
-  double ppe_solve = 0.0;   ///< s in all, the rest of it
-  long nonfinite = 0;       ///< values that were infinite or not a number
+  long ppe_iterations = 0;          ///< of all steps; the pressure solver
+  long ppe_unconverged = 0;         ///< steps whose pressure solver gave up
+  double ppe_worst_residual = 0.0;  ///< of these
+  double ppe_setup = 0.0;           ///< s in all, preconditioner or factorisation
+  double ppe_solve = 0.0;           ///< s in all, the rest of it
+  long nonfinite = 0;               ///< values that were infinite or not a number
 
   void add(const StepReport& report);
 };
 
 /// The manifest of a run, as the text of manifest.json.
-[[nodiscard]] std::string manifest_text(const RunRecord& record, const Case& c);
+[[nodiscard]] std::string manifest_text(const RunRecord& record, const Computation& computation);
 
 /// The time now, UTC, as in 2010-05-03T12:00:00Z.
 [[nodiscard]] std::string utc_now();

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "particle/io/run_loop.hpp"
-#include "particle/kernel/mps_weight.hpp"
 
 namespace surge {
 
@@ -15,14 +14,14 @@ namespace {
 
 constexpr int steps_in_support = 200;
 
-/// Samples f(r) at first, first + 1, ... steps of 1/200 of the support.
-template <class F>
-json sampled(const char* name, const std::string& unit, double support, int first, F&& f) {
-  json out{{"name", name}, {"unit", unit}, {"support_m", support}};
-  for (int k = first; k <= steps_in_support + steps_in_support / 10; ++k) {
-    const double r = support * k / steps_in_support;
+/// Samples the function at every 1/200 of its support.
+json sampled(const RadialFunction& function) {
+  json out{{"name", function.name}, {"unit", function.unit}, {"support_m", function.support}};
+  for (int k = function.finite_at_zero ? 0 : 1; k <= steps_in_support + steps_in_support / 10;
+       ++k) {
+    const double r = function.support * k / steps_in_support;
     out["r_m"].push_back(r);
-    out["value"].push_back(f(r));
+    out["value"].push_back(function.value(r));
   }
   return out;
 }
@@ -37,53 +36,27 @@ json stages_json(std::span<const Stage> stages) {
 }
 
 /// Names of what surrounds the step; the assertions keep them true.
-template <class Solver, int D>
+template <int D>
 json loop_json() {
-  static_assert(std::is_constructible_v<Solver, const Case&>);
-  static_assert(std::is_member_function_pointer_v<decltype(&RunLoop<Solver, D>::run)>);
-  static_assert(std::is_member_function_pointer_v<decltype(&Solver::step)>);
+  static_assert(std::is_member_function_pointer_v<decltype(&RunLoop<AnySolver<D>, D>::run)>);
+  static_assert(std::is_member_function_pointer_v<decltype(&AnySolver<D>::step)>);
   return {{"start", "Solver(case)"}, {"until", "RunLoop::run"}, {"step", "Solver::step"}};
 }
 
 }  // namespace
 
 template <int D>
-json method_sheet(const mps::Solver<D>& solver, double spacing) {
-  json out{{"method", "mps"}, {"dimension", D}, {"spacing_m", spacing}};
-  const auto add = [&](const char* name, double re) {
-    out["functions"].push_back(
-        sampled(name, "1", re, 1, [&](double r) { return mps_weight(r, re); }));
-  };
-  add("w", solver.radius());
-  add("w_laplacian", solver.laplacian_radius());
-  out["loop"] = loop_json<mps::Solver<D>, D>();
-  out["stages"] = stages_json(mps_stages());
+json method_sheet(std::string_view method, const AnySolver<D>& solver, double spacing) {
+  json out{{"method", method}, {"dimension", D}, {"spacing_m", spacing}};
+  if (const auto h = solver.smoothing_length()) out["length_m"] = *h;
+  for (const RadialFunction& function : solver.functions())
+    out["functions"].push_back(sampled(function));
+  out["loop"] = loop_json<D>();
+  out["stages"] = stages_json(stages_of(method));
   return out;
 }
 
-template <int D>
-json method_sheet(const sph::Solver<D>& solver, double spacing) {
-  json out{{"method", "sph"},
-           {"dimension", D},
-           {"spacing_m", spacing},
-           {"length_m", solver.smoothing_length()}};
-  std::visit(
-      [&](const auto& kernel) {
-        const double support = std::decay_t<decltype(kernel)>::support * solver.smoothing_length();
-        out["functions"].push_back(sampled("W", "1/m" + std::to_string(D), support, 0,
-                                           [&](double r) { return kernel.value(r); }));
-        out["functions"].push_back(sampled("dW/dr", "1/m" + std::to_string(D + 1), support, 0,
-                                           [&](double r) { return kernel.derivative(r); }));
-      },
-      solver.kernel());
-  out["loop"] = loop_json<sph::Solver<D>, D>();
-  out["stages"] = stages_json(sph_stages());
-  return out;
-}
-
-template json method_sheet<2>(const mps::Solver<2>&, double);
-template json method_sheet<3>(const mps::Solver<3>&, double);
-template json method_sheet<2>(const sph::Solver<2>&, double);
-template json method_sheet<3>(const sph::Solver<3>&, double);
+template json method_sheet<2>(std::string_view, const AnySolver<2>&, double);
+template json method_sheet<3>(std::string_view, const AnySolver<3>&, double);
 
 }  // namespace surge

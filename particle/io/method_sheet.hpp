@@ -4,8 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "particle/mps/solver.hpp"
-#include "particle/sph/solver.hpp"
+#include "particle/io/any_solver.hpp"
 
 namespace surge {
 
@@ -16,9 +15,8 @@ struct Stage {
   std::string_view equations;  ///< "Eq. (20)"; empty where the comment names none
 };
 
-/// The step of each method, in the order of the source.
-[[nodiscard]] std::span<const Stage> mps_stages();
-[[nodiscard]] std::span<const Stage> sph_stages();
+/// The step of a method, in the order of the source. Defined in a source that the build generates.
+[[nodiscard]] std::span<const Stage> stages_of(std::string_view method);
 
 /// What a run computes with, for the run folder's method.json: the weight function or the kernel,
 /// sampled from the very functions that the solver calls, and the functions of a time step:
@@ -28,8 +26,7 @@ struct Stage {
 /// Samples are equidistant from 0 (MPS: from the first step, because w(0) is infinite) to a tenth
 /// beyond the support.
 template <int D>
-[[nodiscard]] nlohmann::json method_sheet(const mps::Solver<D>& solver, double spacing);
-template <int D>
-[[nodiscard]] nlohmann::json method_sheet(const sph::Solver<D>& solver, double spacing);
+[[nodiscard]] nlohmann::json method_sheet(std::string_view method, const AnySolver<D>& solver,
+                                          double spacing);
 
 }  // namespace surge

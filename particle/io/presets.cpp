@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "particle/io/options.hpp"
-
 namespace surge {
 
 namespace {
@@ -13,15 +11,14 @@ TomlTable open_preset(const PresetFile& file) {
 }
 
 /// `depth` ends a circle of presets that extend each other.
-template <class Params>
-void apply(std::string_view method, std::string_view name, Params& params, std::size_t depth) {
-  const std::string full = std::string(method) + "-" + std::string(name);
+void apply(const Method& method, std::string_view name, std::any& options, std::size_t depth) {
+  const std::string full = std::string(method.name) + "-" + std::string(name);
   const auto files = preset_files();
   const auto file =
       std::find_if(files.begin(), files.end(), [&](auto& f) { return f.name == full; });
   if (file == files.end()) {
     std::string known;
-    for (const std::string& other : preset_names(method))
+    for (const std::string& other : preset_names(method.name))
       known += (known.empty() ? "" : ", ") + other;
     throw Error("preset: found \"" + std::string(name) + "\", expected one of " + known);
   }
@@ -30,19 +27,16 @@ void apply(std::string_view method, std::string_view name, Params& params, std::
   if (preset.has("extends")) {
     if (depth == files.size())
       throw preset.error("extends", "a circle", "a chain of presets that ends");
-    apply(method, preset.text("extends"), params, depth + 1);
+    apply(method, preset.text("extends"), options, depth + 1);
   }
-  if (const auto options = preset.optional_table(method)) read_options(*options, params);
+  if (const auto table = preset.optional_table(method.name)) method.read(*table, options);
   preset.finish();
 }
 
 }  // namespace
 
-void apply_preset(std::string_view name, mps::Params& params) {
-  apply("mps", name, params, 0);
-}
-void apply_preset(std::string_view name, sph::Params& params) {
-  apply("sph", name, params, 0);
+void apply_preset(const Method& method, std::string_view name, std::any& options) {
+  apply(method, name, options, 0);
 }
 
 std::vector<std::string> preset_names(std::string_view method) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "particle/case/case.hpp"
+#include "particle/io/methods.hpp"
 
 namespace surge {
 
@@ -19,10 +19,9 @@ struct PresetFile {
 
 /// Sets the options of a preset and of those that it extends. Throws Error for an unknown name,
 /// with the names that there are, and for bad entries in the preset file.
-void apply_preset(std::string_view name, mps::Params& params);
-void apply_preset(std::string_view name, sph::Params& params);
+void apply_preset(const Method& method, std::string_view name, std::any& options);
 
-/// Names of the presets of a method ("mps" or "sph"), without the method's prefix.
+/// Names of the presets of a method, without the method's prefix.
 [[nodiscard]] std::vector<std::string> preset_names(std::string_view method);
 
 /// The preset's own line about itself.

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "particle/case/case.hpp"
+#include "particle/io/computation.hpp"
 #include "particle/io/run_loop.hpp"
 
 namespace surge {
@@ -18,7 +18,7 @@ struct RunOptions {
 /// finished = false, and at the end), case.toml (the case with every option written out),
 /// steps.csv, particles.pvd and frames. Tells progress and a summary on `out`. Ctrl-C ends the run
 /// after the present step. Throws Error; the manifest then says why the run stopped.
-RunEnd run_case(const Case& c, const RunOptions& options, std::ostream& out);
+RunEnd run_case(const Computation& computation, const RunOptions& options, std::ostream& out);
 
 /// What a solver makes of a case before its first step.
 struct CaseSummary {
@@ -26,6 +26,10 @@ struct CaseSummary {
   long wall_particles = 0;
   double first_step = 0.0;  ///< s
 };
-[[nodiscard]] CaseSummary summarise(const Case& c);
+[[nodiscard]] CaseSummary summarise(const Computation& computation);
+
+/// A guess of the number of steps to the end: the method's limit at the case's reference speed. The
+/// flow is slower most of the time, so that there are fewer.
+[[nodiscard]] double estimated_steps(const Computation& computation);
 
 }  // namespace surge

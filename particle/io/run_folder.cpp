@@ -1,5 +1,11 @@
 #include "particle/io/run_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +14,8 @@ namespace surge {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* lock_name = ".lock";
 
 bool is_run(const fs::path& manifest) {
   std::ifstream stream(manifest);
@@ -54,13 +62,32 @@ void make_folder(const fs::path& folder) {
   }
 }
 
+FolderLock::FolderLock(const fs::path& folder) {
+  make_folder(folder);
+  const fs::path file = folder / lock_name;
+  descriptor_ = open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (descriptor_ < 0) {
+    throw Error(file.string() + ": found " + std::strerror(errno) +
+                ", expected a place to write to");
+  }
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  close(descriptor_);
+  throw Error(folder.string() +
+              ": found another run that is being written here, expected a folder of its own");
+}
+
+FolderLock::~FolderLock() {
+  close(descriptor_);
+}
+
 void claim_run_folder(const fs::path& folder, const std::string& manifest) {
   make_folder(folder);
   const fs::path file = folder / "manifest.json";
   if (!is_run(file)) {
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename().string();
-      if (name == "manifest.json.tmp") continue;  // we were killed while starting here before
+      // What we left when we were killed while starting here before, and what keeps others out.
+      if (name == "manifest.json.tmp" || name == lock_name) continue;
       throw Error(folder.string() + ": found \"" + name +
                   "\" and no run of surge-particle, expected an empty folder or an older run");
     }

@@ -10,14 +10,15 @@
 namespace surge {
 
 /// A copy of what a frame shows, in the order of the particles' ids, so that a frame can be written
-/// while the solver goes on. Single precision: seven digits are more than a picture or the
-/// comparator resolves, at half the size.
+/// while the solver goes on. Places in double precision, because seven digits do not tell particles
+/// apart that are far from the origin; the rest in single, more than a picture or the comparator
+/// resolves, at half the size.
 struct Snapshot {
-  double time = 0.0;            ///< s
-  std::vector<float> position;  ///< m, three per particle
-  std::vector<float> velocity;  ///< m/s, three per particle
-  std::vector<float> pressure;  ///< Pa
-  std::vector<float> density;   ///< kg/m3, or the number density
+  double time = 0.0;             ///< s
+  std::vector<double> position;  ///< m, three per particle
+  std::vector<float> velocity;   ///< m/s, three per particle
+  std::vector<float> pressure;   ///< Pa
+  std::vector<float> density;    ///< kg/m3, or the number density
   std::vector<std::uint8_t> type;
   std::vector<std::int32_t> id;
 
@@ -44,7 +45,7 @@ Snapshot take_snapshot(const Particles<D>& particles, double time) {
   Snapshot s;
   s.time = time;
   const std::size_t n = particles.size();
-  s.position.assign(3 * n, 0.0F);
+  s.position.assign(3 * n, 0.0);
   s.velocity.assign(3 * n, 0.0F);
   s.pressure.resize(n);
   s.density.resize(n);
@@ -53,7 +54,7 @@ Snapshot take_snapshot(const Particles<D>& particles, double time) {
   std::size_t k = 0;
   for (const std::size_t i : detail::order_by_id(particles.id)) {
     for (std::size_t a = 0; a < D; ++a) {
-      s.position[3 * k + a] = static_cast<float>(particles.x[a][i]);
+      s.position[3 * k + a] = particles.x[a][i];
       s.velocity[3 * k + a] = static_cast<float>(particles.v[a][i]);
     }
     s.pressure[k] = static_cast<float>(particles.pressure[i]);

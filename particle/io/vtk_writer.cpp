@@ -51,7 +51,7 @@ vtkSmartPointer<vtkCellArray> vertices(std::size_t count) {
 vtkSmartPointer<vtkPolyData> poly_data(const Snapshot& s, const std::string& density_name) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
-  points->SetData(array_view<vtkFloatArray>("Points", s.position, 3));
+  points->SetData(array_view<vtkDoubleArray>("Points", s.position, 3));
   data->SetPoints(points);
   data->SetVerts(vertices(s.size()));
   vtkPointData* fields = data->GetPointData();

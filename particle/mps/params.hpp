@@ -90,4 +90,9 @@ struct Params {
   double wall_distance = 0.0;          ///< no centre comes closer to a solid surface than this
 };
 
+/// Layers of wall particles: the paper's three, of which the inner one carries pressure.
+[[nodiscard]] constexpr int wall_layers(const Params&) {
+  return 3;
+}
+
 }  // namespace surge::mps

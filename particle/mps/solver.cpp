@@ -16,6 +16,7 @@
 #include "particle/mps/number_density.hpp"
 #include "particle/mps/shifting.hpp"
 #include "particle/mps/velocity_divergence.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::mps {
@@ -23,7 +24,8 @@ namespace {
 
 constexpr double edge = 0.9;         ///< of the density under a flat surface; a corner has 0.63
 constexpr double least_pivot = 0.3;  ///< of a corrected gradient; 1 on the full lattice
-constexpr int wall_layers = 3;       ///< the paper's; the inner one carries pressure
+/// A pressure whose equation holds to no more than this is none: the run ends.
+constexpr double largest_residual = 0.1;
 
 template <int D>
 double factor_of(const Params& params, double l0) {
@@ -64,8 +66,8 @@ Vec<D> to_nearest_face(const Box& box, const Vec<D>& x) {
 }  // namespace
 
 template <int D>
-Solver<D>::Solver(const Case& c)
-    : params_(std::get<Params>(c.method)),
+Solver<D>::Solver(const Case& c, const Params& params, Search search)
+    : params_(params),
       control_(c.time),
       spacing_(c.spacing),
       rho_(c.density),
@@ -80,14 +82,19 @@ Solver<D>::Solver(const Case& c)
       viscous_lambda_(laplacian_lambda<D>(Lambda::lattice, params_.re_laplacian, c.spacing)),
       collision_(params_.collision_distance * c.spacing, params_.collision_restitution),
       walls_(c, params_.wall_distance * c.spacing, params_.collision_restitution),
-      p_(initial_particles<D>(c, wall_layers)),
-      grid_(c.search, periodicity_of<D>(c)),
+      p_(initial_particles<D>(c, wall_layers(params))),
+      grid_(search, periodicity_of<D>(c)),
       periodicity_(periodicity_of<D>(c)),
       assembly_(re_laplacian_, laplacian_factor_, c.spacing,
                 params_.wall_coupling == WallCoupling::all),
       pressure_solver_({params_.ppe_solver, params_.ppe_tolerance, params_.ppe_max_iterations,
                         params_.re_laplacian}) {
   const auto scope = clock_.measure(Phase::setup);
+  // The neighbours of both sums are looked for within the Laplacian's radius.
+  if (params_.re_gradient > params_.re_laplacian) {
+    throw Error("mps.re_gradient: found " + number_text(params_.re_gradient) +
+                ", expected at most mps.re_laplacian = " + number_text(params_.re_laplacian));
+  }
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   const Point still = still_gravity(c);
   std::copy_n(still.begin(), D, still_gravity_.begin());
@@ -459,6 +466,13 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const linear::SolveReport solve = pressure_solver_.solve(system, unknown_pressure_);
   report.ppe_iterations = solve.iterations;
   report.ppe_residual = solve.residual;
+  report.ppe_converged = solve.converged;
+  if (!solve.converged && solve.residual > largest_residual) {
+    throw Error("pressure: the solver stopped after " + std::to_string(solve.iterations) +
+                " iterations at a residual of " + number_text(solve.residual) +
+                ", expected at most " + number_text(params_.ppe_tolerance) +
+                " (mps.ppe_max_iterations, mps.ppe_solver)");
+  }
   report.ppe_setup_s = solve.setup_s;
   report.ppe_solve_s = solve.solve_s;
   const bool clip = params_.negative_pressure == NegativePressure::clip;

@@ -11,6 +11,7 @@
 #include "particle/linear/pressure_solver.hpp"
 #include "particle/mps/collision.hpp"
 #include "particle/mps/free_surface.hpp"
+#include "particle/mps/params.hpp"
 #include "particle/mps/pressure_poisson.hpp"
 
 namespace surge::mps {
@@ -21,7 +22,7 @@ namespace surge::mps {
 template <int D>
 class Solver {
  public:
-  explicit Solver(const Case& c);
+  Solver(const Case& c, const Params& params, Search search);
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);

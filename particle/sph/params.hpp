@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace surge::sph {
 
 enum class Kernel { quintic_spline, wendland_c2 };
@@ -55,5 +57,15 @@ struct Params {
   double wall_distance = 0.25;    ///< in l0: no particle's centre comes closer to a wall
   double wall_restitution = 0.0;  ///< ratio of normal speeds after and before a wall collision
 };
+
+/// How far a kernel reaches, in h.
+[[nodiscard]] constexpr double support_of(Kernel kernel) {
+  return kernel == Kernel::wendland_c2 ? 2.0 : 3.0;
+}
+
+/// Layers of wall particles that fill the kernel of a particle at the wall.
+[[nodiscard]] inline int wall_layers(const Params& params) {
+  return static_cast<int>(std::ceil(support_of(params.kernel) * params.h_over_l0 - 1e-9));
+}
 
 }  // namespace surge::sph

@@ -21,14 +21,6 @@ std::variant<QuinticSpline<D>, WendlandC2<D>> make_kernel(Kernel kernel, double 
   return QuinticSpline<D>(h);
 }
 
-double support_of(Kernel kernel) {
-  return kernel == Kernel::wendland_c2 ? 2.0 : 3.0;
-}
-
-int wall_layers(const Params& params) {
-  return static_cast<int>(std::ceil(support_of(params.kernel) * params.h_over_l0 - 1e-9));
-}
-
 template <int D>
 double norm(const Vec<D>& v) {
   double sum = 0.0;
@@ -39,8 +31,8 @@ double norm(const Vec<D>& v) {
 }  // namespace
 
 template <int D>
-Solver<D>::Solver(const Case& c)
-    : params_(std::get<Params>(c.method)),
+Solver<D>::Solver(const Case& c, const Params& params, Search search)
+    : params_(params),
       control_(c.time),
       spacing_(c.spacing),
       rho0_(c.density),
@@ -54,7 +46,7 @@ Solver<D>::Solver(const Case& c)
       state_(c.density, c0_, params_.gamma),
       walls_(c, params_.wall_distance * c.spacing, params_.wall_restitution),
       p_(initial_particles<D>(c, wall_layers(params_))),
-      grid_(c.search, periodicity_of<D>(c)),
+      grid_(search, periodicity_of<D>(c)),
       shifting_(params_.shifting != Shifting::none),
       difference_(params_.negative_pressure == NegativePressure::difference),
       surroundings_(h_, c.spacing, reference_speed(c)) {

@@ -12,6 +12,7 @@
 #include "particle/kernel/quintic_spline.hpp"
 #include "particle/kernel/wendland_c2.hpp"
 #include "particle/sph/equation_of_state.hpp"
+#include "particle/sph/params.hpp"
 #include "particle/sph/shifting.hpp"
 
 namespace surge::sph {
@@ -30,7 +31,7 @@ namespace surge::sph {
 template <int D>
 class Solver {
  public:
-  explicit Solver(const Case& c);
+  Solver(const Case& c, const Params& params, Search search);
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);

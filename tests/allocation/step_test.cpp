@@ -8,9 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "particle/case/case_file.hpp"
-#include "particle/mps/solver.hpp"
-#include "particle/sph/solver.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 namespace {
 
@@ -57,7 +55,8 @@ void expect_steps_without_allocation(const std::string& method, const std::strin
   std::vector<std::string> all = overrides;
   all.insert(all.end(), more.begin(), more.end());
   if (method == "mps") all.emplace_back("mps.ppe_solver=multigrid");
-  Solver solver(read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", all));
+  auto solver = test::make_solver<Solver>(
+      read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", all));
   const double any = std::numeric_limits<double>::max();
   for (int k = 0; k < 60; ++k) solver.step(any);
   int allocating = 0;

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "particle/case/case_file.hpp"
 #include "particle/core/particles.hpp"
+#include "particle/io/computation.hpp"
 
 namespace surge::benchmarks {
 
@@ -17,9 +17,11 @@ namespace surge::benchmarks {
 /// Every row of the column is shifted at random by up to 0.2 l0, which breaks the lattice, and
 /// moves with the corner flow u = a x, v = -a y, plus up to a twentieth of the top's speed. The top
 /// falls with sqrt(g H / 2), about the speed of the real column when the front is at 1.5 widths.
-inline Case developed_column(const std::string& method, std::int64_t fluid_particles) {
+inline Computation developed_column(const std::string& method, std::int64_t fluid_particles) {
   const std::vector<std::string> overrides{"method.name=" + method, "method.preset=paper"};
-  Case c = read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
+  Computation computation =
+      read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
+  Case& c = computation.flow;
   const Box column = c.blocks.at(0).box;
   const double width = column.upper[0] - column.lower[0];
   const double height = column.upper[1] - column.lower[1];
@@ -49,7 +51,7 @@ inline Case developed_column(const std::string& method, std::int64_t fluid_parti
   const double l0_per_tank = std::round((c.tank.box.upper[0] - c.tank.box.lower[0]) / l0);
   c.tank.box.upper[0] = c.tank.box.lower[0] + l0_per_tank * l0;
   c.tank.box.upper[1] = c.tank.box.lower[1] + static_cast<double>(rows + 4) * l0;
-  return c;
+  return computation;
 }
 
 /// Ordered pairs (i, j) closer than `radius` (m), i != j, with counts(type of i): what the loops

@@ -19,6 +19,7 @@
 #include "particle/sph/solver.hpp"
 #include "tests/benchmark/developed_flow.hpp"
 #include "tests/benchmark/peak_memory.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 namespace surge::benchmarks {
 namespace {
@@ -42,14 +43,14 @@ constexpr double bytes_of_vectors = 80;
 template <class Solver>
 class Flow {
  public:
-  static Flow& get(const Case& c, const std::string& key) {
+  static Flow& get(const Computation& c, const std::string& key) {
     static std::map<std::string, std::unique_ptr<Flow>> flows;
     const auto found = flows.find(key);
     if (found != flows.end()) return *found->second;
     flows.clear();
     return *(flows[key] = std::make_unique<Flow>(c));
   }
-  explicit Flow(const Case& c) : solver(c) {
+  explicit Flow(const Computation& c) : solver(test::make_solver<Solver>(c)) {
     const double particles = static_cast<double>(solver.particles().size());
     advance(static_cast<int>(std::clamp(3e6 / particles, 5.0, 50.0)));
     bytes_per_particle = memory_.bytes() / particles;
@@ -134,11 +135,11 @@ double time_steps(benchmark::State& state, Flow<Solver>& flow) {
 }
 
 void sph_step(benchmark::State& state) {
-  const Case c = developed_column("sph", state.range(0));
+  const Computation c = developed_column("sph", state.range(0));
   auto& flow = Flow<sph::Solver<2>>::get(c, std::to_string(state.range(0)));
   const double rate = time_steps(state, flow);
   const Particles<2>& p = flow.solver.particles();
-  const double radius = 3.0 * std::get<sph::Params>(c.method).h_over_l0 * c.spacing;
+  const double radius = 3.0 * c.params<sph::Params>().h_over_l0 * c.flow.spacing;
   const double pairs =
       count_pairs(p, radius, [](ParticleType type) { return type == ParticleType::fluid; });
   const double per_particle = pairs / static_cast<double>(p.size());
@@ -149,13 +150,13 @@ void sph_step(benchmark::State& state) {
 }
 
 void mps_step(benchmark::State& state, mps::PpeSolver solver) {
-  Case c = developed_column("mps", state.range(0));
-  std::get<mps::Params>(c.method).ppe_solver = solver;
+  Computation c = developed_column("mps", state.range(0));
+  std::any_cast<mps::Params&>(c.options).ppe_solver = solver;
   const std::string key = std::to_string(static_cast<int>(solver)) + '/';
   auto& flow = Flow<mps::Solver<2>>::get(c, key + std::to_string(state.range(0)));
   const double rate = time_steps(state, flow);
   const Particles<2>& p = flow.solver.particles();
-  const double radius = std::get<mps::Params>(c.method).re_laplacian * c.spacing;
+  const double radius = c.params<mps::Params>().re_laplacian * c.flow.spacing;
   const double pairs =
       count_pairs(p, radius, [](ParticleType type) { return type != ParticleType::dummy; });
   const double per_particle = pairs / static_cast<double>(p.size());
@@ -175,7 +176,7 @@ void mps_step(benchmark::State& state, mps::PpeSolver solver) {
 /// the machine leaves of a thread's speed when all its cores work. Their `efficiency`, in pairs
 /// with one of them alone, is the ceiling of what sph_step and mps_step can reach.
 template <class Solver>
-void copies(benchmark::State& state, const Case& c) {
+void copies(benchmark::State& state, const Computation& c) {
   const auto threads = static_cast<std::size_t>(state.range(1));
   omp_set_num_threads(1);
   std::vector<std::unique_ptr<Flow<Solver>>> flows;
@@ -220,8 +221,8 @@ void register_copies() {
   add("sph_step_copies",
       [](benchmark::State& s) { copies<sph::Solver<2>>(s, developed_column("sph", s.range(0))); });
   add("mps_step_copies", [](benchmark::State& s) {
-    Case c = developed_column("mps", s.range(0));
-    std::get<mps::Params>(c.method).ppe_solver = mps::PpeSolver::multigrid;
+    Computation c = developed_column("mps", s.range(0));
+    std::any_cast<mps::Params&>(c.options).ppe_solver = mps::PpeSolver::multigrid;
     copies<mps::Solver<2>>(s, c);
   });
 }

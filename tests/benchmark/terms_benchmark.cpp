@@ -12,6 +12,7 @@
 #include "particle/mps/laplacian.hpp"
 #include "particle/mps/solver.hpp"
 #include "tests/benchmark/developed_flow.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 namespace surge::benchmarks {
 namespace {
@@ -19,8 +20,8 @@ namespace {
 /// Particles, sorted into cells, and their neighbours within the Laplacian's radius.
 struct Scene {
   explicit Scene(std::int64_t fluid)
-      : setup(developed_column("mps", fluid)), grid(setup.search, periodicity_of<2>(setup)) {
-    mps::Solver<2> solver(setup);
+      : setup(developed_column("mps", fluid)), grid(setup.search, periodicity_of<2>(setup.flow)) {
+    auto solver = test::make_solver<mps::Solver<2>>(setup);
     for (int k = 0; k < 5; ++k) solver.step(std::numeric_limits<double>::max());
     particles = solver.particles();
     grid.build(particles.x, radius(), 2);
@@ -31,10 +32,10 @@ struct Scene {
     list.build(grid, particles.x, radius(),
                [&](std::size_t i) { return particles.type[i] != ParticleType::dummy; });
   }
-  [[nodiscard]] const mps::Params& params() const { return std::get<mps::Params>(setup.method); }
-  [[nodiscard]] double radius() const { return params().re_laplacian * setup.spacing; }
+  [[nodiscard]] const mps::Params& params() const { return setup.params<mps::Params>(); }
+  [[nodiscard]] double radius() const { return params().re_laplacian * setup.flow.spacing; }
   [[nodiscard]] Displacement<2> displacement() const {
-    return {particles.x, periodicity_of<2>(setup)};
+    return {particles.x, periodicity_of<2>(setup.flow)};
   }
 
   static Scene& get(benchmark::State& state) {
@@ -43,7 +44,7 @@ struct Scene {
     return scenes.try_emplace(state.range(0), state.range(0)).first->second;
   }
 
-  Case setup;
+  Computation setup;
   Particles<2> particles;
   CellGrid<2> grid;
   NeighbourList<2> list;
@@ -66,7 +67,7 @@ void neighbours(benchmark::State& state) {
 void number_density(benchmark::State& state) {
   Scene& scene = Scene::get(state);
   const Displacement<2> displacement = scene.displacement();
-  const double re = scene.params().re_gradient * scene.setup.spacing;
+  const double re = scene.params().re_gradient * scene.setup.flow.spacing;
   const auto n = static_cast<std::ptrdiff_t>(scene.particles.size());
   for (auto _ : state) {
 #pragma omp parallel for schedule(static)
@@ -93,8 +94,8 @@ void ppe_assembly(benchmark::State& state) {
   }
   const double factor = mps::laplacian_factor<2>(
       mps::reference_number_density<2>(params.re_laplacian),
-      mps::laplacian_lambda<2>(params.lambda, params.re_laplacian, scene.setup.spacing));
-  mps::PoissonAssembly<2> assembly(scene.radius(), factor, scene.setup.spacing);
+      mps::laplacian_lambda<2>(params.lambda, params.re_laplacian, scene.setup.flow.spacing));
+  mps::PoissonAssembly<2> assembly(scene.radius(), factor, scene.setup.flow.spacing);
   const Displacement<2> displacement = scene.displacement();
   for (auto _ : state)
     assembly.assemble(scene.particles, scene.list, displacement, unknown, unknowns);

@@ -6,17 +6,25 @@
 #include "particle/case/case_checks.hpp"
 #include "particle/case/case_json.hpp"
 #include "particle/core/initial_particles.hpp"
-#include "particle/io/options.hpp"
+#include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
+#include "particle/mps/options.hpp"
+#include "particle/sph/options.hpp"
 #include "tests/case/case_fixture.hpp"
 
 namespace surge {
 namespace {
 
 using test::make_case;
+using test::make_computation;
+
+Case read_flow(const std::filesystem::path& file, std::span<const std::string> overrides = {}) {
+  return read_computation(file, overrides).flow;
+}
 
 TEST(CaseFile, HoldsWhatTheFileSays) {
-  const Case c = make_case();
+  const Computation computation = make_computation();
+  const Case& c = computation.flow;
   EXPECT_EQ(c.title, "Small");
   EXPECT_EQ(c.dimension, 2);
   EXPECT_EQ(c.gravity, (Point{0.0, -9.81, 0.0}));
@@ -29,26 +37,28 @@ TEST(CaseFile, HoldsWhatTheFileSays) {
   ASSERT_EQ(c.probes.size(), 1U);
   EXPECT_EQ(c.probes[0].name, "corner");
   EXPECT_DOUBLE_EQ(c.time.initial_step, 1e-4);
-  EXPECT_EQ(c.search, Search::cell_grid);
-  EXPECT_EQ(c.method_name(), "sph");
+  EXPECT_EQ(computation.search, Search::cell_grid);
+  EXPECT_EQ(computation.method_name(), "sph");
   EXPECT_DOUBLE_EQ(fluid_particle_count(c), 32.0);
 }
 
 TEST(CaseFile, DamBreakIsThePapers) {
-  const Case c = read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml");
+  const Computation computation =
+      read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml");
+  const Case& c = computation.flow;
   EXPECT_DOUBLE_EQ(fluid_particle_count(c), 1682.0);                           // Sec. 5.1
   EXPECT_DOUBLE_EQ(c.blocks[0].box.upper[1], 2.0 * c.blocks[0].box.upper[0]);  // 2L high, Fig. 6
   EXPECT_DOUBLE_EQ(c.tank.box.upper[0], 4.0 * c.blocks[0].box.upper[0]);       // 4L wide, Fig. 6
   EXPECT_DOUBLE_EQ(c.time.courant, 0.2);                                       // Eq. (25)
   EXPECT_DOUBLE_EQ(c.time.maximum_step, 1e-3);
-  EXPECT_EQ(c.method_name(), "mps");
+  EXPECT_EQ(computation.method_name(), "mps");
 }
 
 TEST(CaseFile, DamBreakDividesAtEveryResolutionOfTheStudy) {
   for (const int per_length : {20, 29, 40, 58, 80, 116}) {
     const std::string spacing = "resolution.spacing=" + number_text(0.145 / per_length);
     const std::vector<std::string> overrides{spacing};
-    const Case c = read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
+    const Case c = read_flow(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
     EXPECT_DOUBLE_EQ(fluid_particle_count(c), 2.0 * per_length * per_length);
   }
 }
@@ -60,7 +70,7 @@ TEST(CaseFile, EveryCaseOfTheProductIsGoodWithBothMethods) {
     if (entry.path().extension() != ".toml") continue;
     for (const char* method : {"mps", "sph"}) {
       const std::vector<std::string> overrides{std::string("method.name=") + method};
-      EXPECT_NO_THROW(static_cast<void>(read_case(entry.path(), overrides))) << entry.path();
+      EXPECT_NO_THROW(static_cast<void>(read_computation(entry.path(), overrides))) << entry.path();
     }
     ++count;
   }
@@ -68,7 +78,7 @@ TEST(CaseFile, EveryCaseOfTheProductIsGoodWithBothMethods) {
 }
 
 TEST(CaseFile, VelocityGradientAndBallsInThreeDimensions) {
-  const Case c = parse_case(R"(title = "Drop"
+  const Case c = parse_computation(R"(title = "Drop"
 dimension = 3
 [fluid]
 density = 1000.0
@@ -87,7 +97,8 @@ interval = 0.001
 [method]
 name = "sph"
 )",
-                            "drop.toml");
+                                   "drop.toml")
+                     .flow;
   EXPECT_FALSE(c.has_tank);
   EXPECT_EQ(c.blocks[0].shape, FluidBlock::Shape::ball);
   EXPECT_DOUBLE_EQ(c.blocks[0].velocity_gradient[0][0], -100.0);
@@ -96,28 +107,28 @@ name = "sph"
 }
 
 TEST(CaseFile, WrittenAsTomlItReadsBackTheSame) {
-  Case c = make_case({"sph.kernel=wendland_c2", "sph.h_over_l0=1.3333333333333333",
-                      "block.0.velocity=[0.1, -0.2]", "method.preset=paper-bare",
-                      "title=\"with \\\"quotes\\\" and \\\\\"", "search.neighbours=all_pairs",
-                      "tank.wall=no-slip"});
-  c.blocks[0].velocity_gradient[0][1] = 0.3;
-  const Case again = parse_case(to_toml(c), "written.toml");
+  Computation c = make_computation({"sph.kernel=wendland_c2", "sph.h_over_l0=1.3333333333333333",
+                                    "block.0.velocity=[0.1, -0.2]", "method.preset=paper-bare",
+                                    "title=\"with \\\"quotes\\\" and \\\\\"",
+                                    "search.neighbours=all_pairs", "tank.wall=no-slip"});
+  c.flow.blocks[0].velocity_gradient[0][1] = 0.3;
+  const Computation again = parse_computation(to_toml(c), "written.toml");
   EXPECT_EQ(to_json(again), to_json(c));
   EXPECT_EQ(to_json(again)["method"]["parameters"]["kernel"], "wendland_c2");
 
-  const Case three = read_case(SURGE_SOURCE_DIR "/particle/cases/dam_break_3d.toml");
-  EXPECT_EQ(to_json(parse_case(to_toml(three), "written.toml")), to_json(three));
+  const Computation three = read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break_3d.toml");
+  EXPECT_EQ(to_json(parse_computation(to_toml(three), "written.toml")), to_json(three));
 }
 
 TEST(Presets, ExtendEachOtherAndTheCaseComesLast) {
-  const auto bare = std::get<sph::Params>(make_case({"method.preset=paper-bare"}).method);
+  const auto bare = make_computation({"method.preset=paper-bare"}).params<sph::Params>();
   EXPECT_EQ(bare.acoustic_courant, 0.0);
   EXPECT_EQ(bare.negative_pressure, sph::NegativePressure::keep);
-  const auto paper = std::get<sph::Params>(make_case().method);
+  const auto paper = make_computation().params<sph::Params>();
   EXPECT_GT(paper.acoustic_courant, 0.0);  // whatever value the preset is tuned to
   EXPECT_EQ(paper.negative_pressure, sph::NegativePressure::clip);
   EXPECT_EQ(paper.gamma, bare.gamma);  // inherited
-  const auto own = std::get<sph::Params>(make_case({"sph.acoustic_courant=0.1"}).method);
+  const auto own = make_computation({"sph.acoustic_courant=0.1"}).params<sph::Params>();
   EXPECT_EQ(own.acoustic_courant, 0.1);
   EXPECT_EQ(own.negative_pressure, sph::NegativePressure::clip);
 }
@@ -151,14 +162,16 @@ TEST(Options, HaveNamesForEveryEnumeratorAndNoNameTwice) {
 TEST(CaseFile, ObstaclesNeedNoTank) {
   const std::string text = test::case_without_tank();
   const auto make = [&](const std::vector<std::string>& overrides) {
-    return parse_case(text, "open.toml", overrides);
+    return parse_computation(text, "open.toml", overrides);
   };
   // Anywhere, as there is no tank to be inside of.
-  const Case c = make({"obstacle.0.lower=[-0.05,-0.04]", "obstacle.0.upper=[0.09,0.0]"});
+  const Computation computation =
+      make({"obstacle.0.lower=[-0.05,-0.04]", "obstacle.0.upper=[0.09,0.0]"});
+  const Case& c = computation.flow;
   EXPECT_FALSE(c.has_tank);
   ASSERT_EQ(c.obstacles.size(), 1U);
   EXPECT_EQ(c.obstacles[0].lower, (Point{-0.05, -0.04, 0.0}));
-  EXPECT_EQ(to_json(parse_case(to_toml(c), "again.toml")), to_json(c));
+  EXPECT_EQ(to_json(parse_computation(to_toml(computation), "again.toml")), to_json(computation));
   // Its cells are the only wall particles there are: 14 x 4 less the 12 x 2 below one layer.
   const auto particles = initial_particles<2>(c, 1);
   EXPECT_EQ(particles.size(), 32U + 14U * 4U - 24U);
@@ -293,11 +306,22 @@ TEST(BadCaseFile, MissingEntriesNameTheTablesLine) {
     std::string text = test::small_case;
     text.replace(text.find(line), line.size(), "\n");
     try {
-      static_cast<void>(parse_case(text, "small.toml"));
+      static_cast<void>(parse_computation(text, "small.toml"));
       ADD_FAILURE() << "accepted without " << line;
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), testing::StartsWith(message));
     }
+  }
+}
+
+TEST(CaseFile, OverrideOfAnotherMethodIsRefused) {
+  EXPECT_NO_THROW(make_case({"sph.h_over_l0=1.3"}));
+  try {
+    (void)make_case({"method.name=mps", "sph.h_over_l0=1.3"});
+    FAIL() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(),
+                testing::StartsWith("--set sph.h_over_l0=1.3: found an option of sph"));
   }
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "particle/case/case_file.hpp"
+#include "particle/io/computation.hpp"
 
 namespace surge::test {
 
@@ -59,8 +59,11 @@ inline std::string case_without_tank() {
   return text.erase(begin, text.find("[[block]]") - begin);
 }
 
+inline Computation make_computation(const std::vector<std::string>& overrides = {}) {
+  return parse_computation(small_case, "small.toml", overrides);
+}
 inline Case make_case(const std::vector<std::string>& overrides = {}) {
-  return parse_case(small_case, "small.toml", overrides);
+  return make_computation(overrides).flow;
 }
 
 /// A folder of its own for a test, removed at the end.

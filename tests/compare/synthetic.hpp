@@ -87,6 +87,10 @@ inline Physics dam_break() {
   physics.density = 1000;
   physics.kinematic_viscosity = 0;
   physics.wall = "slip";
+  physics.blocks = {WaterBody{"box", physics.column, {}}};
+  physics.obstacles.emplace();
+  physics.open = {"y+"};
+  physics.periodic.emplace();
   return physics;
 }
 

@@ -111,6 +111,21 @@ choices() {
     'm["case"]["tank"]["upper"] == [0.58, 1.16, 0]'
 }
 
+# All water that was in the case is in the manifest: a layer besides the column, which overlap.
+regions() {
+  make_case "$scratch/case" cellsPerL=10
+  local layer='boxToCell { box (-1 -1 -1) (10 0.029 1); fieldValues ( volScalarFieldValue alpha.water 1 ); }'
+  sed -i "s/^regions\$/&/; /^regions/,/^(/ s/^(\$/(\n    $layer/" "$scratch/case/system/setFieldsDict"
+  "$scratch/case/Allrun" >"$scratch/output"
+  manifest_holds "$scratch/case" 'len(m["case"]["blocks"]) == 2' \
+    'm["case"]["blocks"][0]["upper"] == [0.58, 0.029, 0]' \
+    'm["case"]["blocks"][1]["upper"] == [0.145, 0.29, 0]' 'abs(m["water_volume_change"]) < 1e-6'
+  sed -i 's/boxToCell { box (-1 -1 -1) (10 0.029 1);/sphereToCell { centre (0.4 0.1 0); radius 0.05;/' \
+    "$scratch/case/system/setFieldsDict"
+  (cd "$scratch/case" && ! WM_PROJECT_DIR=/usr/share/openfoam ./manifest.py 2>"$scratch/output") || fail "a sphere is stated as boxes"
+  expect "$scratch/output" "sphereToCell: found a region of this kind, expected boxToCell"
+}
+
 # Water at rest across the whole tank stays at rest: no velocity that would be seen in a figure, and
 # its weight at the probe on the wall: p = (rhoWater - rhoAir) g 2L - rhoWater g L/10, because p is
 # zero in air at the height of the floor.

@@ -19,10 +19,8 @@ using nlohmann::json;
 constexpr double pi = std::numbers::pi;
 
 json sheet_of(const std::vector<std::string>& overrides) {
-  const Case c = test::make_case(overrides);
-  if (std::holds_alternative<mps::Params>(c.method))
-    return method_sheet<2>(mps::Solver<2>(c), c.spacing);
-  return method_sheet<2>(sph::Solver<2>(c), c.spacing);
+  const Computation c = test::make_computation(overrides);
+  return method_sheet(c.method->name, *c.make_solver<2>(), c.flow.spacing);
 }
 
 /// Simpson's rule for int f(r, value) dr over the support, which 200 steps span; `at_zero` is the
@@ -86,8 +84,9 @@ std::vector<std::string> calls_of(const std::string& header, std::string body) {
 }
 
 TEST(MethodSheet, EveryFunctionThatTheStepCallsHasItsStage) {
-  for (const auto& [method, stages] :
-       {std::pair{"mps", mps_stages()}, std::pair{"sph", sph_stages()}}) {
+  for (const Method& entry : methods()) {
+    const std::string method(entry.name);
+    const auto stages = stages_of(method);
     const std::string folder = std::string(SURGE_SOURCE_DIR) + "/particle/" + method;
     const std::string source = test::read_text(folder + "/solver.cpp");
     const auto start = source.find("::step(double dt_limit) {");

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "particle/case/case_json.hpp"
+#include "particle/io/computation.hpp"
 #include "tests/case/case_fixture.hpp"
 
 namespace surge {
@@ -110,8 +110,8 @@ TEST_F(Program, WritesARunFolder) {
       EXPECT_TRUE(j["wall_s"].contains(phase)) << phase;
     }
     // The manifest's case is the one that was asked for, and case.toml says the same.
-    EXPECT_EQ(j["case"], to_json(test::make_case({"method.name=" + method})));
-    EXPECT_EQ(j["case"], to_json(read_case(folder_.path() / method / "case.toml")));
+    EXPECT_EQ(j["case"], to_json(test::make_computation({"method.name=" + method})));
+    EXPECT_EQ(j["case"], to_json(read_computation(folder_.path() / method / "case.toml")));
     const std::string steps = test::read_text(folder_.path() / method / "steps.csv");
     EXPECT_EQ(std::count(steps.begin(), steps.end(), '\n'), j["steps"].get<long>() + 1);
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / method / "frames/frame_00004.vtp"));
@@ -140,7 +140,7 @@ TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   for (const std::string method : {"mps", "sph"}) {
     const Result result =
         run("run open.toml --out " + method + " --set method.name=" + method +
-            " --set obstacle.0.lower=[-0.05,-0.03]" + " --set obstacle.0.upper=[0.09,0.0] 2>&1");
+            " --set obstacle.0.lower=[-0.05,-0.04]" + " --set obstacle.0.upper=[0.09,0.0] 2>&1");
     ASSERT_EQ(result.status, 0) << result.output;
     const nlohmann::json j = manifest(method);
     EXPECT_EQ(j["finished"], true);

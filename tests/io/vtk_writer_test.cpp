@@ -89,5 +89,21 @@ TEST(Snapshot, CountsNonfiniteValues) {
   EXPECT_EQ(count_nonfinite(p), 2U);
 }
 
+TEST(FrameWriter, ParticlesFarFromTheOriginKeepTheirPlaces) {
+  const test::TemporaryFolder folder("far_frames");
+  Particles<2> p = three_particles();
+  p.x[0] = {1e6 + 0.002, 1e6, 1e6 + 0.001};
+  FrameWriter writer(folder.path(), "density");
+  writer.write(take_snapshot<2>(p, 0.0));
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName((folder.path() / "frames/frame_00000.vtp").c_str());
+  reader->Update();
+  for (vtkIdType i = 0; i < 3; ++i) {
+    std::array<double, 3> x{};
+    reader->GetOutput()->GetPoint(i, x.data());
+    EXPECT_DOUBLE_EQ(x[0], 1e6 + 0.001 * static_cast<double>(i));
+  }
+}
+
 }  // namespace
 }  // namespace surge

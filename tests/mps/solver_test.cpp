@@ -9,12 +9,24 @@
 
 #include "particle/mps/number_density.hpp"
 #include "particle/mps/solver.hpp"
+#include "particle/support/error.hpp"
 
 namespace surge::mps {
 namespace {
 
-Case small_dam(Search search = Search::cell_grid) {
-  Case c;
+/// A case and how it is computed.
+struct Flow : Case {
+  Params method;
+  Search search = Search::cell_grid;
+};
+
+template <int D>
+Solver<D> solver_of(const Flow& flow) {
+  return Solver<D>(flow, flow.method, flow.search);
+}
+
+Flow small_dam(Search search = Search::cell_grid) {
+  Flow c;
   c.has_tank = true;
   c.tank.box = {{0.0, 0.0, 0.0}, {0.4, 0.4, 0.0}};
   c.tank.open[3] = true;
@@ -47,7 +59,7 @@ double largest_difference(const Solver<2>& a, const Solver<2>& b) {
 }
 
 TEST(MpsSolver, NumberDensityOfInnerParticlesIsTheReference) {
-  const Solver<2> solver(small_dam());
+  const auto solver = solver_of<2>(small_dam());
   const auto& p = solver.particles();
   long inner = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -61,9 +73,9 @@ TEST(MpsSolver, NumberDensityOfInnerParticlesIsTheReference) {
 }
 
 TEST(MpsSolver, FreeFallIsExact) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.has_tank = false;
-  Solver<2> solver(c);
+  auto solver = solver_of<2>(c);
   const auto start = positions(solver);
   double t = 0.0;
   double drop = 0.0;
@@ -82,10 +94,10 @@ TEST(MpsSolver, FreeFallIsExact) {
 }
 
 TEST(MpsSolver, FreeFallByTheMeanVelocityIsAParabola) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.has_tank = false;
-  std::get<Params>(c.method).position_update = PositionUpdate::mean_velocity;
-  Solver<2> solver(c);
+  c.method.position_update = PositionUpdate::mean_velocity;
+  auto solver = solver_of<2>(c);
   const auto start = positions(solver);
   for (int k = 0; k < 20; ++k) solver.step(1.0);
   const double t = solver.time();
@@ -96,8 +108,8 @@ TEST(MpsSolver, FreeFallByTheMeanVelocityIsAParabola) {
 }
 
 /// Still water over a floor, periodic sideways, its rows moved at random by up to 0.4 spacings.
-Case uneven_still_water() {
-  Case c = small_dam();
+Flow uneven_still_water() {
+  Flow c = small_dam();
   c.tank.box.upper[0] = 0.2;
   c.tank.periodic[0] = true;
   c.blocks.clear();
@@ -109,7 +121,7 @@ Case uneven_still_water() {
     block.box = {{left, row * c.spacing, 0.0}, {left + 0.2, (row + 1) * c.spacing, 0.0}};
     c.blocks.push_back(block);
   }
-  auto& p = std::get<Params>(c.method);
+  auto& p = c.method;
   p.re_gradient = p.re_laplacian = 3.1;
   p.lambda = Lambda::lattice;
   p.source = Source::divergence_and_density;
@@ -122,8 +134,8 @@ Case uneven_still_water() {
   return c;
 }
 
-double speed_after_a_step(const Case& c) {
-  Solver<2> solver(c);
+double speed_after_a_step(const Flow& c) {
+  auto solver = solver_of<2>(c);
   const double dt = solver.step(1e-4).dt;
   return solver.step(1e-4).v_max / (2.0 * dt * 9.81);
 }
@@ -131,19 +143,19 @@ double speed_after_a_step(const Case& c) {
 // With the hydrostatic part out of the Laplacian and the corrected gradient, p = rho g depth solves
 // the equations exactly, however the particles lie; without either it does not.
 TEST(MpsSolver, StillWaterIsStillOnAnUnevenLattice) {
-  Case c = uneven_still_water();
+  Flow c = uneven_still_water();
   EXPECT_LT(speed_after_a_step(c), 1e-6);
-  std::get<Params>(c.method).laplacian_of = LaplacianOf::pressure;
+  c.method.laplacian_of = LaplacianOf::pressure;
   EXPECT_GT(speed_after_a_step(c), 1e-2);
-  std::get<Params>(c.method).laplacian_of = LaplacianOf::dynamic_pressure;
-  std::get<Params>(c.method).gradient = GradientModel::minimum;
+  c.method.laplacian_of = LaplacianOf::dynamic_pressure;
+  c.method.gradient = GradientModel::minimum;
   EXPECT_GT(speed_after_a_step(c), 1e-2);
 }
 
 TEST(MpsSolver, SurfaceLiesHalfASpacingOutsideItsParticles) {
-  Case c = uneven_still_water();
-  std::get<Params>(c.method).surface_at = SurfaceAt::half_spacing;
-  Solver<2> solver(c);
+  Flow c = uneven_still_water();
+  c.method.surface_at = SurfaceAt::half_spacing;
+  auto solver = solver_of<2>(c);
   for (int k = 0; k < 50; ++k) solver.step(1e-3);
   const auto& p = solver.particles();
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -154,14 +166,14 @@ TEST(MpsSolver, SurfaceLiesHalfASpacingOutsideItsParticles) {
 
 // The divergence that a sudden stop makes is met at once, or by dt over the time to take it back.
 TEST(MpsSolver, TakesDivergenceBackOverItsTime) {
-  Case c = uneven_still_water();
+  Flow c = uneven_still_water();
   c.gravity = {};
   for (auto& block : c.blocks) block.velocity = {0.0, -1.0, 0.0};
   const double dt = 1e-6;
-  Solver<2> at_once(c);
+  auto at_once = solver_of<2>(c);
   at_once.step(dt);
-  std::get<Params>(c.method).divergence_time = 1e-3;  // so short that the motion adds little
-  Solver<2> slowly(c);
+  c.method.divergence_time = 1e-3;  // so short that the motion adds little
+  auto slowly = solver_of<2>(c);
   slowly.step(dt);
   const auto& p = at_once.particles().pressure;
   const double most = *std::max_element(p.begin(), p.end());
@@ -173,10 +185,10 @@ TEST(MpsSolver, TakesDivergenceBackOverItsTime) {
 
 // Water that slides along a wall meets no resistance from the places of the wall's particles.
 TEST(MpsSolver, WallsAreSmooth) {
-  Case c = uneven_still_water();
+  Flow c = uneven_still_water();
   c.gravity = {};
   for (auto& block : c.blocks) block.velocity = {0.5, 0.0, 0.0};
-  Solver<2> solver(c);
+  auto solver = solver_of<2>(c);
   for (int k = 0; k < 100; ++k) solver.step(1e-3);
   const auto& p = solver.particles();
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -187,8 +199,8 @@ TEST(MpsSolver, WallsAreSmooth) {
 }
 
 TEST(MpsSolver, SearchesAgree) {
-  Solver<2> cells(small_dam(Search::cell_grid));
-  Solver<2> pairs(small_dam(Search::all_pairs));
+  auto cells = solver_of<2>(small_dam(Search::cell_grid));
+  auto pairs = solver_of<2>(small_dam(Search::all_pairs));
   for (int k = 0; k < 20; ++k) {
     cells.step(1.0);
     pairs.step(1.0);
@@ -197,12 +209,12 @@ TEST(MpsSolver, SearchesAgree) {
 }
 
 TEST(MpsSolver, PressureSolversAgree) {
-  Case c = small_dam();
-  Solver<2> first(c);
-  std::get<Params>(c.method).ppe_solver = PpeSolver::cholmod;
-  Solver<2> second(c);
-  std::get<Params>(c.method).ppe_solver = PpeSolver::iccg;
-  Solver<2> third(c);
+  Flow c = small_dam();
+  auto first = solver_of<2>(c);
+  c.method.ppe_solver = PpeSolver::cholmod;
+  auto second = solver_of<2>(c);
+  c.method.ppe_solver = PpeSolver::iccg;
+  auto third = solver_of<2>(c);
   for (int k = 0; k < 20; ++k) {
     first.step(1.0);
     second.step(1.0);
@@ -212,24 +224,57 @@ TEST(MpsSolver, PressureSolversAgree) {
   EXPECT_LT(largest_difference(third, second), 1e-8);
 }
 
+TEST(MpsSolver, PressureThatIsNotSolvedIsToldOrEndsTheRun) {
+  Flow c = small_dam();
+  auto& params = c.method;
+  params.ppe_solver = PpeSolver::iccg;
+  EXPECT_TRUE(solver_of<2>(c).step(1.0).ppe_converged);
+  // Before it is at 1e-10 it passes 0.1: some number of iterations ends between the two.
+  int told = 0;
+  int ended = 0;
+  for (params.ppe_max_iterations = 1; params.ppe_max_iterations <= 12;
+       ++params.ppe_max_iterations) {
+    try {
+      auto solver = solver_of<2>(c);
+      const StepReport report = solver.step(1.0);
+      if (report.ppe_converged) continue;
+      EXPECT_GT(report.ppe_residual, params.ppe_tolerance);
+      ++told;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("the solver stopped after"), std::string::npos);
+      ++ended;
+    }
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(told + ended, 4);
+}
+
+TEST(MpsSolver, RadiusOfTheGradientIsWithinThatOfTheLaplacian) {
+  Flow c = small_dam();
+  c.method.re_gradient = 4.1;
+  EXPECT_THROW(solver_of<2>(c), Error);
+  c.method.re_gradient = 4.0;
+  EXPECT_NO_THROW(solver_of<2>(c));
+}
+
 TEST(MpsSolver, TheNumberOfThreadsDoesNotMatter) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  Solver<2> one(small_dam());
+  auto one = solver_of<2>(small_dam());
   for (int k = 0; k < 30; ++k) one.step(1.0);
   omp_set_num_threads(3);
-  Solver<2> three(small_dam());
+  auto three = solver_of<2>(small_dam());
   for (int k = 0; k < 30; ++k) three.step(1.0);
   omp_set_num_threads(before);
   EXPECT_LT(largest_difference(one, three), 1e-9);
 }
 
 TEST(MpsSolver, RunsInThreeDimensions) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.dimension = 3;
   c.tank.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.06}};
   c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.1, 0.1, 0.06}};
-  Solver<3> solver(c);
+  auto solver = solver_of<3>(c);
   StepReport report;
   for (int k = 0; k < 30; ++k) report = solver.step(1.0);
   EXPECT_EQ(report.lost, 0);
@@ -241,12 +286,12 @@ TEST(MpsSolver, RunsInThreeDimensions) {
 // Still water in a periodic tank: the pressure does not know of the seam, and the multigrid, which
 // numbers its cells by the period, agrees with the direct solver.
 TEST(MpsSolver, PeriodicAxisHasNoSeam) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.tank.periodic[0] = true;
   c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.4, 0.2, 0.0}};
-  Solver<2> multigrid(c);
-  std::get<Params>(c.method).ppe_solver = PpeSolver::cholmod;
-  Solver<2> direct(c);
+  auto multigrid = solver_of<2>(c);
+  c.method.ppe_solver = PpeSolver::cholmod;
+  auto direct = solver_of<2>(c);
   for (int k = 0; k < 5; ++k) {
     multigrid.step(1.0);
     direct.step(1.0);

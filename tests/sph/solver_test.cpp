@@ -11,9 +11,20 @@
 namespace surge::sph {
 namespace {
 
+/// A case and how it is computed.
+struct Flow : Case {
+  Params method;
+  Search search = Search::cell_grid;
+};
+
+template <int D>
+Solver<D> solver_of(const Flow& flow) {
+  return Solver<D>(flow, flow.method, flow.search);
+}
+
 /// A square of fluid at rest far from walls, without gravity, that has been given a velocity field.
-Case free_block(double l0, double shear) {
-  Case c;
+Flow free_block(double l0, double shear) {
+  Flow c;
   c.gravity = {0.0, 0.0, 0.0};
   FluidBlock block;
   block.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.0}};
@@ -28,8 +39,8 @@ Case free_block(double l0, double shear) {
   return c;
 }
 
-Case small_dam(Search search = Search::cell_grid) {
-  Case c;
+Flow small_dam(Search search = Search::cell_grid) {
+  Flow c;
   c.has_tank = true;
   c.tank.box = {{0.0, 0.0, 0.0}, {0.4, 0.4, 0.0}};
   c.tank.open[3] = true;
@@ -75,7 +86,7 @@ double largest_difference(const S& a, const S& b) {
 }
 
 TEST(SphSolver, ConservesMomentumWithoutWalls) {
-  Solver<2> solver(free_block(0.01, 4.0));
+  auto solver = solver_of<2>(free_block(0.01, 4.0));
   const auto before = momentum(solver);
   for (int k = 0; k < 100; ++k) solver.step(1.0);
   const auto after = momentum(solver);
@@ -85,7 +96,7 @@ TEST(SphSolver, ConservesMomentumWithoutWalls) {
 }
 
 TEST(SphSolver, ParticlesStartOnTheLatticeOfTheCase) {
-  const Solver<2> solver(small_dam());
+  const auto solver = solver_of<2>(small_dam());
   const auto& p = solver.particles();
   long fluid = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -99,10 +110,10 @@ TEST(SphSolver, ParticlesStartOnTheLatticeOfTheCase) {
 // Second order: halving the step divides the difference to a run with a much shorter step by four.
 TEST(SphSolver, LeapFrogIsOfSecondOrder) {
   const auto end = [](double dt) {
-    Case c = free_block(0.02, 3.0);
+    Flow c = free_block(0.02, 3.0);
     // XSPH and a smooth equation of state stay on; clipping and collisions have no order.
     c.time.initial_step = dt;
-    Solver<2> solver(c);
+    auto solver = solver_of<2>(c);
     const long steps = std::lround(0.02 / dt);
     for (long k = 0; k < steps; ++k) solver.step(dt);
     return positions(solver);
@@ -121,8 +132,8 @@ TEST(SphSolver, LeapFrogIsOfSecondOrder) {
 }
 
 TEST(SphSolver, AllPairsAndCellGridAgree) {
-  Solver<2> cells(small_dam(Search::cell_grid));
-  Solver<2> pairs(small_dam(Search::all_pairs));
+  auto cells = solver_of<2>(small_dam(Search::cell_grid));
+  auto pairs = solver_of<2>(small_dam(Search::all_pairs));
   for (int k = 0; k < 30; ++k) {
     cells.step(1.0);
     pairs.step(1.0);
@@ -135,18 +146,18 @@ TEST(SphSolver, AllPairsAndCellGridAgree) {
 TEST(SphSolver, TheNumberOfThreadsDoesNotMatter) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  Solver<2> one(small_dam());
+  auto one = solver_of<2>(small_dam());
   for (int k = 0; k < 50; ++k) one.step(1.0);
   omp_set_num_threads(3);
-  Solver<2> three(small_dam());
+  auto three = solver_of<2>(small_dam());
   for (int k = 0; k < 50; ++k) three.step(1.0);
   omp_set_num_threads(before);
   EXPECT_EQ(largest_difference(one, three), 0.0);
 }
 
-Case shifted_dam(Search search = Search::cell_grid) {
-  Case c = small_dam(search);
-  auto& p = std::get<Params>(c.method);
+Flow shifted_dam(Search search = Search::cell_grid) {
+  Flow c = small_dam(search);
+  auto& p = c.method;
   p.shifting = Shifting::concentration;
   p.negative_pressure = NegativePressure::difference;
   return c;
@@ -155,28 +166,28 @@ Case shifted_dam(Search search = Search::cell_grid) {
 TEST(SphSolver, ShiftingIsTheSameForAllSearchesAndThreads) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
-  Solver<2> one(shifted_dam());
-  Solver<2> pairs(shifted_dam(Search::all_pairs));
+  auto one = solver_of<2>(shifted_dam());
+  auto pairs = solver_of<2>(shifted_dam(Search::all_pairs));
   for (int k = 0; k < 30; ++k) {
     one.step(1.0);
     pairs.step(1.0);
   }
   omp_set_num_threads(3);
-  Solver<2> three(shifted_dam());
+  auto three = solver_of<2>(shifted_dam());
   for (int k = 0; k < 30; ++k) three.step(1.0);
   omp_set_num_threads(before);
   EXPECT_EQ(largest_difference(one, three), 0.0);
   EXPECT_LT(largest_difference(one, pairs), 1e-11);
-  Solver<2> plain(small_dam());
+  auto plain = solver_of<2>(small_dam());
   for (int k = 0; k < 30; ++k) plain.step(1.0);
   EXPECT_GT(largest_difference(one, plain), 1e-6) << "it does something";
 }
 
 /// A standing wave of sound, v = v0 sin(k x), in a periodic square of 40 columns at rest otherwise.
-Case standing_sound(double damping) {
+Flow standing_sound(double damping) {
   constexpr int columns = 40;
   const double l0 = 1.0 / columns;
-  Case c;
+  Flow c;
   c.gravity = {0.0, 0.0, 0.0};
   c.reference_speed = 1.0;
   c.has_tank = true;
@@ -203,7 +214,7 @@ Case standing_sound(double damping) {
 // The kernel hides about (k h)^2 / 10 of each gradient.
 TEST(SphSolver, DampingOfSoundIsThatOfABulkViscosity) {
   for (const double damping : {0.0, 0.5, 1.0}) {
-    Solver<2> solver(standing_sound(damping));
+    auto solver = solver_of<2>(standing_sound(damping));
     const double k = 2.0 * std::numbers::pi;
     const double b = 0.5 * damping * solver.sound_speed() * solver.smoothing_length() * k * k;
     const double w = std::sqrt(std::pow(solver.sound_speed() * k, 2) - b * b);
@@ -222,12 +233,12 @@ TEST(SphSolver, DampingOfSoundIsThatOfABulkViscosity) {
 
 // nu = 0.02 m2/s is more than alpha c0 h / 8 stands for.
 TEST(SphSolver, ArtificialViscosityLeavesAViscousFlowAlone) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.kinematic_viscosity = 0.02;
-  std::get<Params>(c.method).artificial_viscosity = 0.01;
-  Solver<2> with(c);
-  std::get<Params>(c.method).artificial_viscosity = 0.0;
-  Solver<2> without(c);
+  c.method.artificial_viscosity = 0.01;
+  auto with = solver_of<2>(c);
+  c.method.artificial_viscosity = 0.0;
+  auto without = solver_of<2>(c);
   for (int k = 0; k < 20; ++k) {
     with.step(1.0);
     without.step(1.0);
@@ -236,13 +247,13 @@ TEST(SphSolver, ArtificialViscosityLeavesAViscousFlowAlone) {
 }
 
 TEST(SphSolver, RunsInThreeDimensions) {
-  Case c = small_dam();
+  Flow c = small_dam();
   c.dimension = 3;
   c.tank.box = {{0.0, 0.0, 0.0}, {0.2, 0.2, 0.06}};
   c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.1, 0.1, 0.06}};
   for (const Shifting shifting : {Shifting::none, Shifting::concentration}) {
-    std::get<Params>(c.method).shifting = shifting;
-    Solver<3> solver(c);
+    c.method.shifting = shifting;
+    auto solver = solver_of<3>(c);
     StepReport report;
     for (int k = 0; k < 40; ++k) report = solver.step(1.0);
     EXPECT_EQ(report.lost, 0);
@@ -252,8 +263,8 @@ TEST(SphSolver, RunsInThreeDimensions) {
 }
 
 TEST(SphSolver, StableStepKeepsBothLimits) {
-  Case c = small_dam();
-  Solver<2> solver(c);
+  Flow c = small_dam();
+  auto solver = solver_of<2>(c);
   EXPECT_LE(solver.stable_step(), c.time.initial_step);
   solver.step(1.0);
   const double h = 1.2 * c.spacing;
@@ -262,8 +273,8 @@ TEST(SphSolver, StableStepKeepsBothLimits) {
     const StepReport report = solver.step(1.0);
     EXPECT_LE(report.courant, 0.2 * 1.1);
   }
-  std::get<Params>(c.method).acoustic_damping = 10.0;
-  Solver<2> damped(c);
+  c.method.acoustic_damping = 10.0;
+  auto damped = solver_of<2>(c);
   damped.step(1.0);
   EXPECT_DOUBLE_EQ(damped.stable_step(), 0.05 * h / damped.sound_speed());
 }

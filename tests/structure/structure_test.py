@@ -13,6 +13,15 @@ LONGEST = 350  # lines of a source file
 PARTICLE = [["support"], ["case"], ["core"], ["kernel", "linear"], ["mps", "sph", "isph"], ["io"]]
 COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["figures"], ["report"],
            ["commands"]]
+# What the rebuild has still to mend. An entry that is no longer needed fails the test, so that the list
+# can only shrink.
+LEFT_UPWARDS = {
+    "compare/read/run.cpp", "compare/measure/wall_pressure.hpp"}
+LEFT_LONG = {
+    "particle/mps/solver.cpp", "particle/sph/solver.cpp", "particle/support/toml.cpp",
+    "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp",
+    "tests/workflow/allrun_test.py"}
+
 # What other programs may use of the particle library: it knows no method.
 SHARED = ("particle/support", "particle/case")
 
@@ -53,10 +62,12 @@ def violation(path: Path, included: str) -> str | None:
 
 class Structure(unittest.TestCase):
     def test_includes_go_downwards(self):
-        found = [text for path in sources("particle", "compare", "foam_cases")
+        found = {path: text for path in sources("particle", "compare", "foam_cases")
                  if path.suffix in (".cpp", ".hpp")
-                 for included in includes(path) if (text := violation(path, included))]
-        self.assertEqual([], found, "\n" + "\n".join(found))
+                 for included in includes(path) if (text := violation(path, included))}
+        told = [text for path, text in found.items() if str(path) not in LEFT_UPWARDS]
+        self.assertEqual([], told, "\n" + "\n".join(told))
+        self.assertEqual(set(), LEFT_UPWARDS - {str(path) for path in found}, "mended: take it out")
 
     def test_the_rule_finds_what_is_upside_down(self):
         self.assertIsNone(violation(Path("particle/mps/a.cpp"), "particle/core/b.hpp"))
@@ -67,14 +78,16 @@ class Structure(unittest.TestCase):
         self.assertIn("program", violation(Path("compare/read/a.cpp"), "particle/mps/b.hpp"))
 
     def test_files_are_short(self):
-        found = []
+        found = {}
         for path in sources("particle", "compare", "foam_cases", "tests", ".ci"):
             if path.suffix not in (".cpp", ".hpp", ".py", ".js", ".css", ".sh", ".cmake", ".html"):
                 continue
             lines = len((ROOT / path).read_text(encoding="utf-8").splitlines())
             if lines > LONGEST:
-                found.append(f"{path}: {lines} lines, at most {LONGEST}")
-        self.assertEqual([], found, "\n" + "\n".join(found))
+                found[str(path)] = f"{path}: {lines} lines, at most {LONGEST}"
+        told = [text for path, text in found.items() if path not in LEFT_LONG]
+        self.assertEqual([], told, "\n" + "\n".join(told))
+        self.assertEqual(set(), LEFT_LONG - set(found), "mended: take it out")
 
 
 if __name__ == "__main__":

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "compare/verification/exact.hpp"
-#include "particle/case/case_file.hpp"
-#include "particle/mps/solver.hpp"
-#include "particle/sph/solver.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 // Short, coarse versions of compare/studies/verification.toml for the recommended presets. What a
 // preset does worse than its bar asks is in the report; here it must not become worse than it was
@@ -16,11 +14,12 @@
 namespace surge {
 namespace {
 
-Case known_flow(const std::string& name, const std::string& method, const std::string& preset,
-                std::vector<std::string> more) {
+Computation known_flow(const std::string& name, const std::string& method,
+                       const std::string& preset, std::vector<std::string> more) {
   more.push_back("method.name=" + method);
   more.push_back("method.preset=" + preset);
-  return read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/" + name + ".toml", more);
+  return read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/" + name + ".toml",
+                          more);
 }
 
 struct Sums {
@@ -57,7 +56,7 @@ template <class S>
 std::array<double, 3> drop_errors(const std::string& method, const std::string& preset,
                                   std::vector<std::string> more = {}) {
   more.insert(more.end(), {"time.end=4e-3", "resolution.spacing=0.1"});
-  S solver(known_flow("stretching_drop", method, preset, more));
+  S solver = test::make_solver<S>(known_flow("stretching_drop", method, preset, more));
   const double energy = sums_of(solver).energy;
   while (solver.time() < 4e-3) solver.step(4e-3 - solver.time());
   const Sums end = sums_of(solver);
@@ -88,7 +87,7 @@ TEST(StretchingDrop, MpsImproved) {
 template <class S>
 double wave_error(const std::string& method, const std::string& preset) {
   const double l0 = 0.05;
-  S solver(
+  S solver = test::make_solver<S>(
       known_flow("standing_wave", method, preset, {"time.end=2.4", "resolution.spacing=0.05"}));
   std::vector<double> times, amplitudes;
   while (solver.time() < 2.4) {
@@ -119,7 +118,8 @@ TEST(RotatingPatch, DeltaPlusKeepsMomentumAndAngularMomentum) {
   for (const bool shifting : {false, true}) {
     std::vector<std::string> choices{"resolution.spacing=0.05", "sph.negative_pressure=keep"};
     if (!shifting) choices.emplace_back("sph.shifting=none");
-    sph::Solver<2> solver(known_flow("rotating_patch", "sph", "delta-plus", choices));
+    auto solver = test::make_solver<sph::Solver<2>>(
+        known_flow("rotating_patch", "sph", "delta-plus", choices));
     const Sums begin = sums_of(solver);
     while (solver.time() < 0.5) solver.step(0.5 - solver.time());
     const Sums end = sums_of(solver);
@@ -136,7 +136,7 @@ template <class S>
 double patch_spreading(const std::string& method, const std::string& preset,
                        std::vector<std::string> more = {}) {
   more.push_back("resolution.spacing=0.05");
-  S solver(known_flow("rotating_patch", method, preset, more));
+  S solver = test::make_solver<S>(known_flow("rotating_patch", method, preset, more));
   const Sums begin = sums_of(solver);
   while (solver.time() < 0.5) solver.step(0.5 - solver.time());
   const Sums end = sums_of(solver);

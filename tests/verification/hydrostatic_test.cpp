@@ -4,9 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "particle/case/case_file.hpp"
-#include "particle/mps/solver.hpp"
-#include "particle/sph/solver.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 namespace surge {
 namespace {
@@ -20,14 +18,14 @@ struct LayerMean {
 
 /// Mean pressure of the fluid between two heights over the second half of the run.
 template <class S>
-LayerMean run_and_average(const Case& c, double lower, double upper, double surface) {
-  S solver(c);
+LayerMean run_and_average(const Computation& c, double lower, double upper, double surface) {
+  S solver = test::make_solver<S>(c);
   LayerMean mean;
   double weight = 0.0;
-  while (solver.time() < c.time.end) {
-    const StepReport report = solver.step(c.time.end - solver.time());
+  while (solver.time() < c.flow.time.end) {
+    const StepReport report = solver.step(c.flow.time.end - solver.time());
     mean.lost += report.lost;
-    if (solver.time() < 0.5 * c.time.end) continue;
+    if (solver.time() < 0.5 * c.flow.time.end) continue;
     mean.v_max = std::max(mean.v_max, report.v_max);
     const auto& p = solver.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -47,8 +45,8 @@ class Hydrostatic : public testing::TestWithParam<std::string> {
   LayerMean run(double lower, double upper) const {
     const std::vector<std::string> choices{"method.name=" + GetParam(), "method.preset=paper",
                                            "time.end=0.5"};
-    const Case c =
-        read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
+    const Computation c = read_computation(
+        std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
     return GetParam() == "mps" ? run_and_average<mps::Solver<2>>(c, lower, upper, 0.2)
                                : run_and_average<sph::Solver<2>>(c, lower, upper, 0.2);
   }
@@ -73,15 +71,15 @@ INSTANTIATE_TEST_SUITE_P(Methods, Hydrostatic, testing::Values("mps", "sph"),
 /// RMS over the fluid of p - rho g (H - y), over rho g H; root of the mean square over the last
 /// quarter of the run. H = 0.2 m.
 template <class S>
-double pressure_error(const Case& c) {
-  S solver(c);
+double pressure_error(const Computation& c) {
+  S solver = test::make_solver<S>(c);
   const double scale = 1000.0 * 9.81 * 0.2;
   double sum = 0.0;
   double weight = 0.0;
-  while (solver.time() < c.time.end) {
-    const StepReport report = solver.step(c.time.end - solver.time());
+  while (solver.time() < c.flow.time.end) {
+    const StepReport report = solver.step(c.flow.time.end - solver.time());
     EXPECT_EQ(report.lost, 0);
-    if (solver.time() < 0.75 * c.time.end) continue;
+    if (solver.time() < 0.75 * c.flow.time.end) continue;
     const auto& p = solver.particles();
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (p.type[i] != ParticleType::fluid) continue;
@@ -93,10 +91,11 @@ double pressure_error(const Case& c) {
   return std::sqrt(sum / weight);
 }
 
-Case still_water(const std::vector<std::string>& choices) {
+Computation still_water(const std::vector<std::string>& choices) {
   std::vector<std::string> all = choices;
   all.emplace_back("time.end=2");
-  return read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", all);
+  return read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml",
+                          all);
 }
 
 // The recommended presets, 20 particles over the depth, between 1.5 and 2 s: not the mean but the
@@ -114,7 +113,8 @@ TEST(SmoothPressure, DeltaPlus) {
 
 // A shift as fast as single particles jitter would stir it up to 0.1 m/s in its third second.
 TEST(StillWater, DeltaPlusDoesNotStirItself) {
-  sph::Solver<2> solver(still_water({"method.name=sph", "method.preset=delta-plus"}));
+  auto solver = test::make_solver<sph::Solver<2>>(
+      still_water({"method.name=sph", "method.preset=delta-plus"}));
   double fastest = 0.0;
   while (solver.time() < 3.5) {
     const StepReport report = solver.step(3.5 - solver.time());

@@ -4,9 +4,7 @@
 #include <string>
 
 #include "compare/verification/exact.hpp"
-#include "particle/case/case_file.hpp"
-#include "particle/mps/solver.hpp"
-#include "particle/sph/solver.hpp"
+#include "tests/case/solver_fixture.hpp"
 
 namespace surge {
 namespace {
@@ -16,10 +14,11 @@ template <class S>
 double error_of(const std::string& method, const std::string& preset, const std::string& more) {
   const std::vector<std::string> choices{"method.name=" + method, "method.preset=" + preset,
                                          "time.end=1", more};
-  const Case c =
-      read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
-  S solver(c);
-  while (solver.time() < c.time.end) EXPECT_EQ(solver.step(c.time.end - solver.time()).lost, 0);
+  const Computation c =
+      read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
+  S solver = test::make_solver<S>(c);
+  while (solver.time() < c.flow.time.end)
+    EXPECT_EQ(solver.step(c.flow.time.end - solver.time()).lost, 0);
   const auto& p = solver.particles();
   double sum = 0.0;
   double n = 0.0;
@@ -58,10 +57,10 @@ TEST(Poiseuille, SlipWallsDoNotRub) {
   for (const char* method : {"mps", "sph"}) {
     const std::vector<std::string> choices{std::string("method.name=") + method,
                                            "method.preset=paper", "time.end=0.2", "tank.wall=slip"};
-    const Case c =
-        read_case(std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
+    const Computation c = read_computation(
+        std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
     const auto largest_deviation = [&](auto solver) {
-      while (solver.time() < c.time.end) solver.step(c.time.end - solver.time());
+      while (solver.time() < c.flow.time.end) solver.step(c.flow.time.end - solver.time());
       double largest = 0.0;
       const auto& p = solver.particles();
       for (std::size_t i = 0; i < p.size(); ++i)
@@ -69,8 +68,8 @@ TEST(Poiseuille, SlipWallsDoNotRub) {
           largest = std::max(largest, std::abs(p.v[0][i] - 0.8 * solver.time()));
       return largest;
     };
-    EXPECT_LT(*method == 'm' ? largest_deviation(mps::Solver<2>(c))
-                             : largest_deviation(sph::Solver<2>(c)),
+    EXPECT_LT(*method == 'm' ? largest_deviation(test::make_solver<mps::Solver<2>>(c))
+                             : largest_deviation(test::make_solver<sph::Solver<2>>(c)),
               0.01 * 0.8 * 0.2)
         << method;
   }

@@ -198,8 +198,14 @@ TEST_F(FoamCase, BadCasesAreNamed) {
               }),
               HasSubstr("0.1/alpha.water"));
   fs::remove(path() / "0.1/alpha.water");
-  EXPECT_THAT(open_run(path(), width()).frames->notices(),
-              ::testing::Contains(HasSubstr("time 0.1 has no alpha.water: left out")));
+  // A time without the field is left out, and told.
+  {
+    auto run = open_run(path(), width());
+    (void)measure_front(run, {});
+    EXPECT_EQ(run.frames->times().size(), 2U);
+    EXPECT_THAT(run.notices,
+                ::testing::Contains(HasSubstr("time 0.1 has no alpha.water: left out")));
+  }
   fs::remove(path() / "constant/g");
   EXPECT_THAT(error_of([&] { (void)open_run(path(), width()); }),
               HasSubstr("constant/g: cannot be opened"));

@@ -51,7 +51,35 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{"tank-height", [](Physics& p) { p.tank->upper[1] = 0.58; }},
                       Change{"density", [](Physics& p) { p.density = 998; }},
                       Change{"viscosity", [](Physics& p) { p.kinematic_viscosity = 1e-6; }},
-                      Change{"wall", [](Physics& p) { p.wall = "no-slip"; }}));
+                      Change{"wall", [](Physics& p) { p.wall = "no-slip"; }},
+                      Change{"blocks",
+                             [](Physics& p) {
+                               p.blocks->push_back({"box", {{0.3, 0, 0}, {0.4, 0.1, 0}}, {}});
+                             }},
+                      Change{"blocks", [](Physics& p) { p.blocks->front().velocity[0] = 0.1; }},
+                      Change{"blocks", [](Physics& p) { p.blocks->front().shape = "ball"; }},
+                      Change{"obstacles",
+                             [](Physics& p) {
+                               p.obstacles->push_back({{0.3, 0, 0}, {0.33, 0.05, 0}});
+                             }},
+                      Change{"open", [](Physics& p) { p.open->clear(); }},
+                      Change{"periodic", [](Physics& p) { p.periodic->insert("x"); }}));
+
+TEST(Physics, OrderOfBodiesDoesNotMatter) {
+  Physics a = dam_break(), b = dam_break();
+  const WaterBody second{"box", {{0.3, 0, 0}, {0.4, 0.1, 0}}, {}};
+  a.blocks->push_back(second);
+  b.blocks->insert(b.blocks->begin(), second);
+  EXPECT_TRUE(compare_physics(a, "a", b, "b").differences.empty());
+}
+
+TEST(Physics, BodiesThatOneSideDoesNotStateAreListed) {
+  Physics other = dam_break();
+  other.blocks.reset();
+  other.obstacles.reset();
+  const PhysicsComparison comparison = against_dam_break(other);
+  EXPECT_THAT(comparison.not_stated, ::testing::ElementsAre("blocks", "obstacles"));
+}
 
 TEST(Physics, AllDifferencesAreNamedAtOnce) {
   Physics other = dam_break();

@@ -1,0 +1,82 @@
+#include "particle/io/methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "particle/mps/method.hpp"
+#include "particle/sph/method.hpp"
+
+namespace surge {
+
+namespace {
+
+template <class Params>
+nlohmann::json options_json(const Params& params) {
+  nlohmann::json j = nlohmann::json::object();
+  visit_options(params, [&](const char* name, const auto& member, Bounds, const char*) {
+    if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(member)>>) {
+      j[name] = name_of(member);
+    } else {
+      j[name] = member;
+    }
+  });
+  return j;
+}
+
+template <class M>
+const typename M::Params& params_of(const std::any& options) {
+  return std::any_cast<const typename M::Params&>(options);
+}
+
+template <class M, int D>
+std::unique_ptr<AnySolver<D>> make_solver(const Case& c, const std::any& options, Search search) {
+  return std::make_unique<WrappedSolver<M, D>>(c, params_of<M>(options), search);
+}
+
+template <class M>
+Method entry() {
+  using Params = typename M::Params;
+  return {
+      .name = M::name,
+      .density_array = M::density_array,
+      .solves_pressure = M::solves_pressure,
+      .needs_reference_speed = M::needs_reference_speed,
+      .supports = M::supports,
+      .defaults = [] { return std::any(Params{}); },
+      .read = [](const TomlTable& table,
+                 std::any& options) { read_options(table, std::any_cast<Params&>(options)); },
+      .to_json = [](const std::any& options) { return options_json(params_of<M>(options)); },
+      .describe = [](const std::any& options) { return option_texts(params_of<M>(options)); },
+      .interaction_radius =
+          [](const std::any& options) { return M::interaction_radius(params_of<M>(options)); },
+      .wall_layers = [](const std::any& options) { return M::wall_layers(params_of<M>(options)); },
+      .step_limit = [](const Case& c, const std::any& options,
+                       double speed) { return M::step_limit(c, params_of<M>(options), speed); },
+      .make_2d = make_solver<M, 2>,
+      .make_3d = make_solver<M, 3>,
+  };
+}
+
+}  // namespace
+
+std::span<const Method> methods() {
+  // A new method is one entry here.
+  static const std::array all{entry<mps::Method>(), entry<sph::Method>()};
+  return all;
+}
+
+const Method& method_named(std::string_view name) {
+  const auto all = methods();
+  const auto found = std::find_if(all.begin(), all.end(), [&](auto& m) { return m.name == name; });
+  if (found == all.end()) {
+    std::string known;
+    for (const Method& method : all)
+      known += (known.empty() ? "" : ", ") + std::string(method.name);
+    throw Error("method: found \"" + std::string(name) + "\", expected one of " + known);
+  }
+  return *found;
+}
+
+}  // namespace surge
