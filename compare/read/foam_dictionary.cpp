@@ -1,19 +1,19 @@
 #include "compare/read/foam_dictionary.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
+#include "compare/read/foam_file.hpp"
+#include "compare/read/foam_parser.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
-namespace {
 
-using Tokens = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+namespace {
 
 std::optional<double> to_number(const std::string& text) {
   double value = 0.0;
@@ -23,173 +23,82 @@ std::optional<double> to_number(const std::string& text) {
   return value;
 }
 
+/// The folder above the file's own: constant/g lies in the case.
+fs::path usual_root(const fs::path& file) {
+  return fs::absolute(file).parent_path().parent_path();
+}
+
 }  // namespace
 
-/// Reads one file into a dictionary; another one for each included file.
-class FoamParser {
- public:
-  FoamParser(const std::filesystem::path& file, int depth) : file_(file), depth_(depth) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw Error(file.string() + ": cannot be opened, an OpenFOAM dictionary expected");
-    text_.assign(std::istreambuf_iterator<char>(in), {});
+FoamDictionary FoamDictionary::parse(std::string text, const fs::path& file, const fs::path& root) {
+  FoamDictionary dictionary;
+  FoamBudget budget;
+  FoamParser(std::move(text), file, root, 0, budget).parse(dictionary);
+  return dictionary;
+}
+
+FoamDictionary FoamDictionary::read(const fs::path& file, const fs::path& root) {
+  const fs::path within = root.empty() ? usual_root(file) : root;
+  return parse(read_foam_file(file, within), file, within);
+}
+
+std::size_t FoamDictionary::size() const {
+  std::size_t words = 1;
+  for (const auto& [key, value] : entries_) words += 1 + value.size();
+  for (const auto& [key, value] : dictionaries_) words += value.size();
+  return words;
+}
+
+std::size_t FoamDictionary::depth() const {
+  std::size_t inner = 0;
+  for (const auto& [key, value] : dictionaries_) inner = std::max(inner, value.depth());
+  return inner + 1;
+}
+
+void FoamDictionary::merge(const FoamDictionary& other) {
+  for (const auto& [key, value] : other.entries_) entries_[key] = value;
+  for (const auto& [key, value] : other.dictionaries_) {
+    FoamDictionary& mine = dictionaries_[key];
+    if (mine.place_.empty()) mine.place_ = place_ + ": " + key;
+    mine.merge(value);
   }
+}
 
-  void parse(FoamDictionary& root) { entries(root, {&root}, ""); }
-
- private:
-  using Scopes = std::vector<const FoamDictionary*>;
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw Error(file_.string() + ":" + std::to_string(line_) + ": " + message);
-  }
-
-  [[nodiscard]] char peek(std::size_t ahead = 0) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-
-  void advance() {
-    if (peek() == '\n') ++line_;
-    ++at_;
-  }
-
-  void skip_blanks() {
-    while (at_ < text_.size()) {
-      if (std::isspace(static_cast<unsigned char>(peek()))) {
-        advance();
-      } else if (peek() == '/' && peek(1) == '/') {
-        while (at_ < text_.size() && peek() != '\n') advance();
-      } else if (peek() == '/' && peek(1) == '*') {
-        while (at_ < text_.size() && !(peek() == '*' && peek(1) == '/')) advance();
-        at_ = std::min(at_ + 2, text_.size());
-      } else {
-        return;
-      }
-    }
-  }
-
-  /// The next token; empty at the end of the file. A quoted string keeps its first quote.
-  std::string next() {
-    skip_blanks();
-    if (at_ >= text_.size()) return {};
-    std::string token;
-    if (peek() == '"') {
-      do {
-        token += peek();
-        advance();
-      } while (at_ < text_.size() && peek() != '"');
-      if (at_ >= text_.size()) fail("a string without its end");
-      advance();
-      return token;
-    }
-    if (std::string_view("{}()[];").find(peek()) != std::string_view::npos) {
-      token = peek();
-      advance();
-      return token;
-    }
-    while (at_ < text_.size() && !std::isspace(static_cast<unsigned char>(peek())) &&
-           std::string_view("{}()[];\"").find(peek()) == std::string_view::npos) {
-      token += peek();
-      advance();
-    }
-    return token;
-  }
-
-  void entries(FoamDictionary& into, const Scopes& scopes, const std::string& closing) {
-    if (into.place_.empty()) into.place_ = file_.string();
-    for (std::string key = next(); key != closing; key = next()) {
-      if (key.empty()) fail("the file ends inside { }");
-      if (key == ";") continue;
-      if (key == "#include" || key == "#includeIfPresent") {
-        include(into, key == "#include");
-        continue;
-      }
-      if (key[0] == '"') key.erase(0, 1);
-      skip_blanks();
-      if (peek() == '{') {
-        next();
-        FoamDictionary& child = into.dictionaries_[key];
-        child.place_ = into.place_ + ": " + key;
-        Scopes inner = scopes;
-        inner.push_back(&child);
-        entries(child, inner, "}");
-      } else {
-        into.entries_[key] = values(key, scopes);
-      }
-    }
-  }
-
-  void include(FoamDictionary& into, bool required) {
-    const std::string name = next();
-    if (name.size() < 2 || name[0] != '"') fail("#include without a file name in quotes");
-    if (depth_ >= 16) fail("#include deeper than 16 files");
-    const std::filesystem::path file = file_.parent_path() / name.substr(1);
-    if (!required && !std::filesystem::exists(file)) return;
-    FoamParser(file, depth_ + 1).parse(into);
-  }
-
-  Tokens values(const std::string& key, const Scopes& scopes) {
-    Tokens tokens;
-    int braces = 0;
-    for (std::string token = next(); token != ";" || braces > 0; token = next()) {
-      if (token.empty()) fail(key + ": the file ends before its ;");
-      if (token == "{") ++braces;
-      if (token == "}" && --braces < 0) fail(key + ": no ; after the value");
-      if (token[0] == '$') {
-        const Tokens meant = variable(token.substr(1), scopes);
-        tokens.insert(tokens.end(), meant.begin(), meant.end());
-      } else {
-        tokens.push_back(std::move(token));
-      }
-    }
-    return tokens;
-  }
-
-  /// The innermost entry of that name; the text itself where there is none (in #eval, say).
-  static Tokens variable(std::string name, const Scopes& scopes) {
-    if (!name.empty() && name[0] == ':') name.erase(0, 1);
-    for (auto scope = scopes.rbegin(); scope != scopes.rend(); ++scope) {
-      const auto entry = (*scope)->entries_.find(name);
-      if (entry != (*scope)->entries_.end()) return entry->second;
-    }
-    return {"$" + name};
-  }
-
-  std::filesystem::path file_;
-  int depth_;
-  std::string text_;
-  std::size_t at_ = 0;
-  int line_ = 1;
-};
-
-FoamDictionary FoamDictionary::read(const std::filesystem::path& file) {
-  FoamDictionary root;
-  FoamParser(file, 0).parse(root);
-  return root;
+void FoamDictionary::missing(const std::string& key, const std::string& expected) const {
+  throw Error(place_ + ": " + key + ": nothing found, " + expected + " expected" +
+              (unread_.empty() ? "" : " (not read, outside the case:" + unread_ + ")"));
 }
 
 const FoamDictionary& FoamDictionary::dictionary(const std::string& key) const {
   const auto entry = dictionaries_.find(key);
-  if (entry == dictionaries_.end())
-    throw Error(place_ + ": " + key + ": nothing found, a dictionary expected");
+  if (entry == dictionaries_.end()) missing(key, "a dictionary");
   return entry->second;
 }
 
-std::vector<double> FoamDictionary::numbers(const std::string& key, std::size_t count) const {
+std::vector<std::string> FoamDictionary::words(const std::string& key) const {
   const auto entry = entries_.find(key);
-  if (entry == entries_.end())
-    throw Error(place_ + ": " + key + ": nothing found, a value expected");
-  std::string found;
-  Tokens tokens;
-  for (const std::string& token : entry->second) {
-    found += (found.empty() ? "" : " ") + token;
-    if (token != "(" && token != ")") tokens.push_back(token);
-  }
+  if (entry == entries_.end()) missing(key, "a value");
+  std::vector<std::string> words;
+  for (const std::string& word : entry->second)
+    if (word != "(" && word != ")") words.push_back(word);
+  return words;
+}
+
+std::vector<double> FoamDictionary::numbers(const std::string& key, std::size_t count) const {
+  const std::vector<std::string> tokens = words(key);
   std::vector<double> numbers;
   for (std::size_t k = tokens.size() - std::min(count, tokens.size()); k < tokens.size(); ++k) {
     const std::optional<double> number = to_number(tokens[k]);
     if (number) numbers.push_back(*number);
   }
-  if (numbers.size() != count) {
+  const std::size_t before = tokens.size() - std::min(count, tokens.size());
+  const bool more = before > 0 && to_number(tokens[before - 1]);
+  if (numbers.size() != count || more) {
+    std::string found;
+    for (const std::string& token : entries_.at(key)) {
+      if (found.size() > 200) break;
+      found += (found.empty() ? "" : " ") + token;
+    }
     throw Error(place_ + ": " + key + ": \"" + found + "\" found, " + std::to_string(count) +
                 (count == 1 ? " finite number expected" : " finite numbers expected"));
   }

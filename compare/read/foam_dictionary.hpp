@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -7,17 +8,30 @@
 
 namespace surge::compare {
 
-/// An OpenFOAM dictionary file, as far as constant/ needs it: nested dictionaries, lists, comments,
-/// #include, and $name of an entry that stands before. Entries made by #calc, #eval or other
-/// directives are kept as text and are an error only where they are asked for.
+/// An OpenFOAM dictionary file, as far as a case's physics needs it: nested dictionaries, lists,
+/// comments, #include inside the case, and $name of an entry or a dictionary that stands before.
+/// What #includeEtc names lies outside the case and is not read; entries made by #calc, #eval and
+/// the like are kept as text. Both are an error only where what they hold is asked for.
+///
+/// Depth of braces and of #include, number of files and of words after expansion are bounded.
 class FoamDictionary {
  public:
+  /// `root`: the case, which no #include leaves; the folder above the file's own where not given.
   /// Throws surge::Error `file:line: ...`.
-  static FoamDictionary read(const std::filesystem::path& file);
+  static FoamDictionary read(const std::filesystem::path& file,
+                             const std::filesystem::path& root = {});
+  /// The same for the text of a file that was read already.
+  static FoamDictionary parse(std::string text, const std::filesystem::path& file,
+                              const std::filesystem::path& root);
 
   [[nodiscard]] bool has(const std::string& key) const { return entries_.contains(key); }
+  [[nodiscard]] bool has_dictionary(const std::string& key) const {
+    return dictionaries_.contains(key);
+  }
   /// Sub-dictionary; throws where there is none.
   [[nodiscard]] const FoamDictionary& dictionary(const std::string& key) const;
+  /// The words of an entry without brackets; throws where there is none.
+  [[nodiscard]] std::vector<std::string> words(const std::string& key) const;
   /// Last `count` numbers of an entry, so that a name or dimensions before them do no harm:
   /// `nu nu [0 2 -1 0 0 0 0] 1e-06;` Throws where there are not that many finite ones.
   [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
@@ -25,7 +39,13 @@ class FoamDictionary {
 
  private:
   friend class FoamParser;
-  std::string place_;  ///< file, and the path of the sub-dictionary
+  [[nodiscard]] std::size_t size() const;   ///< words
+  [[nodiscard]] std::size_t depth() const;  ///< of dictionaries
+  void merge(const FoamDictionary& other);
+  [[noreturn]] void missing(const std::string& key, const std::string& expected) const;
+
+  std::string place_;   ///< file, and the path of the sub-dictionary
+  std::string unread_;  ///< files that #includeEtc names
   std::map<std::string, std::vector<std::string>> entries_;
   std::map<std::string, FoamDictionary> dictionaries_;
 };

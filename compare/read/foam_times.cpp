@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "compare/read/foam_dictionary.hpp"
+#include "compare/read/foam_file.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -28,18 +27,11 @@ std::optional<double> time_of(const std::string& name) {
   return value;
 }
 
-/// Time folders by their value.
-std::map<double, fs::path> time_folders(const fs::path& folder) {
-  std::map<double, fs::path> times;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_directory()) continue;
-    if (const auto time = time_of(entry.path().filename().string())) times[*time] = entry.path();
-  }
-  return times;
-}
-
-bool has_field(const fs::path& time, const std::string& field) {
-  return fs::is_regular_file(time / field) || fs::is_regular_file(time / (field + ".gz"));
+/// A number as far as its letters go, but no finite one: 1e400, nan, inf.
+bool is_no_finite_time(const std::string& name) {
+  double value = 0.0;
+  const auto [end, failed] = std::from_chars(name.data(), name.data() + name.size(), value);
+  return end == name.data() + name.size() && !time_of(name);
 }
 
 std::string list_text(const std::vector<std::string>& names) {
@@ -52,21 +44,20 @@ std::string list_text(const std::vector<std::string>& names) {
 std::map<int, fs::path> processor_folders(const fs::path& folder) {
   static const std::regex pattern("processor([0-9]{1,6})");
   std::map<int, fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+  for (const fs::path& path : foam_folders(folder)) {
     std::smatch match;
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && std::regex_match(name, match, pattern))
-      found[std::stoi(match[1])] = entry.path();
+    const std::string name = path.filename().string();
+    if (std::regex_match(name, match, pattern) && !found.emplace(std::stoi(match[1]), path).second)
+      throw Error(path.string() + ": two folders of one processor");
   }
   return found;
 }
 
 /// The highest processor that a processor's patches `procBoundaryAtoB` lead to.
-int last_neighbour(const fs::path& processor) {
-  std::ifstream in(processor / "constant" / "polyMesh" / "boundary", std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string all = text.str();
+int last_neighbour(const fs::path& processor, const fs::path& root) {
+  const fs::path file = processor / "constant" / "polyMesh" / "boundary";
+  if (!has_foam_file(file)) return -1;
+  const std::string all = read_foam_file(file, root);
   static const std::regex pattern("procBoundary[0-9]{1,6}to([0-9]{1,6})");
   int last = -1;
   for (std::sregex_iterator it(all.begin(), all.end(), pattern), end; it != end; ++it)
@@ -77,7 +68,7 @@ int last_neighbour(const fs::path& processor) {
 /// numberOfSubdomains of decomposeParDict; empty where that is not there or not a plain number.
 std::optional<int> announced_processors(const fs::path& folder) {
   try {
-    const auto dictionary = FoamDictionary::read(folder / "system" / "decomposeParDict");
+    const auto dictionary = FoamDictionary::read(folder / "system" / "decomposeParDict", folder);
     return static_cast<int>(std::clamp(dictionary.number("numberOfSubdomains"), 0.0, 1e6));
   } catch (const Error&) {
     return std::nullopt;
@@ -86,15 +77,30 @@ std::optional<int> announced_processors(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<fs::path> foam_processors(const fs::path& folder) {
+std::map<double, std::string> foam_time_folders(const fs::path& folder) {
+  std::map<double, std::string> times;
+  for (const fs::path& path : foam_folders(folder)) {
+    const std::string name = path.filename().string();
+    const auto time = time_of(name);
+    if (!time) continue;
+    const auto [entry, is_new] = times.emplace(*time + 0.0, name);
+    if (!is_new) {
+      throw Error(folder.string() + ": " + entry->second + " and " + name +
+                  " are the same time, one of them expected");
+    }
+  }
+  return times;
+}
+
+FoamParts foam_processors(const fs::path& folder) {
   const std::map<int, fs::path> found = processor_folders(folder);
-  std::vector<fs::path> folders;
-  if (found.empty()) return folders;
+  FoamParts parts;
+  if (found.empty()) return parts;
   int last = found.rbegin()->first;
-  for (const auto& [number, path] : found) last = std::max(last, last_neighbour(path));
+  for (const auto& [number, path] : found) last = std::max(last, last_neighbour(path, folder));
   const int announced = announced_processors(folder).value_or(last + 1);
   std::vector<std::string> missing;
-  for (int k = 0; k <= last; ++k)
+  for (int k = 0; k <= last && missing.size() < 8; ++k)
     if (!found.contains(k)) missing.push_back("processor" + std::to_string(k));
   if (!missing.empty()) {
     throw Error(folder.string() + ": " + list_text(missing) + " not there, a folder for each of " +
@@ -105,66 +111,102 @@ std::vector<fs::path> foam_processors(const fs::path& folder) {
                 " processor folders found, " + std::to_string(announced) +
                 " expected (numberOfSubdomains in system/decomposeParDict)");
   }
-  for (const auto& [number, path] : found) folders.push_back(path);
-  return folders;
+  for (const auto& [number, path] : found) parts.folders.push_back(path);
+  parts.processors = parts.folders.size();
+  return parts;
+}
+
+FoamParts foam_collated(const fs::path& folder) {
+  static const std::regex pattern("processors([0-9]{1,6})(_([0-9]{1,6})-([0-9]{1,6}))?");
+  std::map<int, std::pair<int, fs::path>> found;  // first processor: last one, folder
+  std::set<int> sizes;
+  for (const fs::path& path : foam_folders(folder)) {
+    std::smatch match;
+    const std::string name = path.filename().string();
+    if (!std::regex_match(name, match, pattern)) continue;
+    sizes.insert(std::stoi(match[1]));
+    const int first = match[3].matched ? std::stoi(match[3]) : 0;
+    const int last = match[4].matched ? std::stoi(match[4]) : std::stoi(match[1]) - 1;
+    if (!found.emplace(first, std::pair(last, path)).second && sizes.size() == 1)
+      throw Error(path.string() + ": two folders with processor " + std::to_string(first));
+  }
+  FoamParts parts;
+  if (found.empty()) return parts;
+  if (sizes.size() > 1) {
+    throw Error(folder.string() + ": collated results of " + std::to_string(*sizes.begin()) +
+                " and of " + std::to_string(*sizes.rbegin()) +
+                " processors found, one decomposition expected (remove the older)");
+  }
+  parts.collated = true;
+  parts.processors = static_cast<std::size_t>(*sizes.begin());
+  int next = 0;
+  for (const auto& [first, end] : found) {
+    if (first != next) break;
+    next = end.first + 1;
+    parts.folders.push_back(end.second);
+  }
+  if (next != *sizes.begin() || parts.folders.size() != found.size()) {
+    throw Error(folder.string() + ": collated results of processor " + std::to_string(next) +
+                " not there, those of " + std::to_string(*sizes.begin()) + " processors expected");
+  }
+  return parts;
 }
 
 FoamTimes foam_times(const std::vector<fs::path>& folders, const std::string& field) {
   FoamTimes result;
-  std::map<double, std::vector<std::string>> lacking;  // folders without the field
-  std::map<double, std::size_t> having;
+  std::map<double, std::size_t> there, having;
+  std::map<double, std::string> names;
+  std::set<std::string> odd;
   for (const fs::path& folder : folders) {
-    for (const auto& [time, path] : time_folders(folder)) {
-      if (has_field(path, field)) {
-        ++having[time];
-      } else {
-        lacking[time].push_back(folder.filename().string());
-      }
+    for (const fs::path& path : foam_folders(folder))
+      if (is_no_finite_time(path.filename().string())) odd.insert(path.filename().string());
+    for (const auto& [time, name] : foam_time_folders(folder)) {
+      ++there[time];
+      names.emplace(time, name);
+      if (has_foam_file(folder / name / field)) ++having[time];
     }
   }
-  for (const auto& [time, count] : having)
-    if (count == folders.size() && time >= 0.0) result.times.emplace_back(time);
-  for (const auto& [time, names] : lacking) {
-    if (having.contains(time) && having.at(time) > 0 && folders.size() > 1) continue;
-    result.notices.push_back("time " + number_text(time) + " has no " + field + ": left out");
-  }
-  for (const auto& [time, count] : having) {
-    if (time < 0.0)
-      result.notices.push_back("time " + number_text(time) + " is before the start: left out");
-    if (count == folders.size()) continue;
-    result.notices.push_back("time " + number_text(time) + " is in " + std::to_string(count) +
-                             " of " + std::to_string(folders.size()) +
-                             " processor folders only (unfinished): left out");
+  const auto leave_out = [&](const std::string& name, const std::string& why) {
+    result.notices.push_back("time " + name + " " + why + ": left out");
+  };
+  for (const std::string& name : odd) leave_out(name, "is no finite number");
+  for (const auto& [time, name] : names) {
+    const std::size_t count = having[time];
+    if (count == 0) {
+      leave_out(number_text(time), "has no " + field);
+    } else if (count < folders.size()) {
+      leave_out(number_text(time), "is in " + std::to_string(count) + " of " +
+                                       std::to_string(folders.size()) +
+                                       " processor folders only (unfinished)");
+    } else if (time < 0.0) {
+      leave_out(number_text(time), "is before the start");
+    } else {
+      result.times.emplace_back(time);
+      result.names.push_back(name);
+    }
   }
   return result;
 }
 
-std::vector<std::string> foam_phases(const fs::path& folder) {
-  std::set<std::string> names;
-  const auto times = time_folders(folder);
-  for (const auto& [time, path] : times) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-      std::string name = entry.path().filename().string();
+std::vector<std::string> foam_phases(const fs::path& folder, const std::string& region) {
+  std::set<std::string> phases, others;
+  for (const auto& [time, folder_name] : foam_time_folders(folder)) {
+    std::error_code failed;
+    for (fs::directory_iterator it(folder / folder_name / region, failed), end;
+         !failed && it != end; it.increment(failed)) {
+      std::string name = it->path().filename().string();
       if (name.ends_with(".gz")) name.resize(name.size() - 3);
-      if (name.starts_with("alpha.") && name.find('_') == std::string::npos) names.insert(name);
+      static const std::regex phase("alpha\\.[A-Za-z0-9_-]+");
+      static const std::regex other("alpha[0-9]*|alpha[A-Z][a-z]+1?");
+      // Old times and set-aside fields: alpha.water_0, alpha.orig.
+      if (name.ends_with("_0") || name.ends_with(".orig") || name.ends_with(".org")) continue;
+      if (std::regex_match(name, phase)) phases.insert(name);
+      if (std::regex_match(name, other) && !name.starts_with("alphaPhi")) others.insert(name);
     }
-    if (!names.empty()) break;
+    if (!phases.empty() || !others.empty()) break;
   }
+  const std::set<std::string>& names = phases.empty() ? others : phases;
   return {names.begin(), names.end()};
-}
-
-void refuse_collated(const fs::path& folder, const std::string& field) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!entry.is_directory() || !name.starts_with("processors")) continue;
-    const FoamTimes there = foam_times({entry.path()}, field);
-    const FoamTimes here = foam_times({folder}, field);
-    if (there.times.size() <= here.times.size()) continue;
-    throw Error(folder.string() + ": " + std::to_string(there.times.size()) + " times in " + name +
-                ", the collated format, which is not read, and " +
-                std::to_string(here.times.size()) +
-                " in the case itself; expected the times in the case (run reconstructPar)");
-  }
 }
 
 }  // namespace surge::compare

@@ -102,7 +102,8 @@ class SyntheticStudy {
              "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nset = []\nthreads = 1\n";
     };
     return "title = '" + title +
-           "'\nreference = \"vof-20\"\nstrip_height = 0.015\nclaims = \"alves_dreux\"\nsnapshot_times = [0.05, 0.15]\n"
+           "'\nreference = \"vof-20\"\nstrip_height = 0.015\nclaims = "
+           "\"alves_dreux\"\nsnapshot_times = [0.05, 0.15]\n"
            "published = [\"late\"]\n" +
            run("mps-a") + run("sph-a") + run("vof-20");
   }

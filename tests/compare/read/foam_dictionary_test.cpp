@@ -57,5 +57,72 @@ TEST(FoamDictionary, BadFilesAreNamedWithTheirPlace) {
   EXPECT_THAT(error_of([&] { (void)d.dictionary("water"); }), HasSubstr("water: nothing found"));
 }
 
+TEST(FoamDictionary, MacrosAndDictionariesThatStandBefore) {
+  const TemporaryFolder folder;
+  const FoamDictionary d = read(folder,
+                                "common { rho 1000; inner { a 2; } }\n"
+                                "water { $common; nu 1e-06; }\ncopy $common;\n"
+                                "x ${common.rho}; y $common/inner/a; z $..common.inner.a;\n"
+                                "#includeFunc mag(U)\n#inputMode merge\nlast 3;\n");
+  EXPECT_EQ(d.dictionary("water").number("rho"), 1000.0);
+  EXPECT_EQ(d.dictionary("water").dictionary("inner").number("a"), 2.0);
+  EXPECT_EQ(d.dictionary("copy").number("rho"), 1000.0);
+  EXPECT_EQ(d.number("x"), 1000.0);
+  EXPECT_EQ(d.number("y"), 2.0);
+  EXPECT_EQ(d.number("z"), 2.0);
+  EXPECT_EQ(d.number("last"), 3.0);
+}
+
+TEST(FoamDictionary, WhatLiesOutsideTheCaseIsNotRead) {
+  const TemporaryFolder folder;
+  write_text(folder / "outside", "a 1;");
+  const auto in_case = [&](const std::string& text) {
+    return FoamDictionary::read(write_text(folder / "case/constant/d", text), folder / "case");
+  };
+  EXPECT_THAT(error_of([&] { (void)in_case("#include \"../../outside\"\n"); }),
+              HasSubstr("leads out of"));
+  std::filesystem::create_symlink(folder / "outside", folder / "case/constant/link");
+  EXPECT_THAT(error_of([&] { (void)in_case("#include \"link\"\n"); }), HasSubstr("leads out of"));
+  EXPECT_THAT(error_of([&] { (void)in_case("#include \"$HOME/a\"\n"); }),
+              HasSubstr("a file of the case expected"));
+  const FoamDictionary d = in_case("#includeEtc \"caseDicts/x\"\nb 2;\n");
+  EXPECT_EQ(d.number("b"), 2.0);
+  EXPECT_THAT(error_of([&] { (void)d.number("a"); }),
+              HasSubstr("not read, outside the case: #includeEtc \"caseDicts/x\""));
+}
+
+TEST(FoamDictionary, WhatNeverEndsIsRefused) {
+  const TemporaryFolder folder;
+  std::string doubled = "a0 1 1;\n", dictionaries = "d0 { a 1; }\n";
+  for (int k = 1; k < 64; ++k) {
+    const std::string before = std::to_string(k - 1), name = std::to_string(k);
+    doubled += std::string("a") + name + " $a" + before + " $a" + before + ";\n";
+    dictionaries +=
+        std::string("d") + name + " { x { $d" + before + "; } y { $d" + before + "; } }\n";
+  }
+  EXPECT_THAT(error_of([&] { (void)read(folder, doubled); }), HasSubstr("more than 1000000 words"));
+  EXPECT_THAT(error_of([&] { (void)read(folder, dictionaries); }), HasSubstr("after expansion"));
+  std::string deep;
+  for (int k = 0; k < 1'000'000; ++k) deep += "a{";
+  EXPECT_THAT(error_of([&] { (void)read(folder, deep); }), HasSubstr("braces deeper than 64"));
+  std::string chain;
+  for (int k = 0; k < 60; ++k) chain += "a{";
+  chain += "b 1;" + std::string(60, '}') + "\nc { c { c { c { c { $a; } } } } }\n";
+  EXPECT_THAT(error_of([&] { (void)read(folder, chain); }), HasSubstr("braces deeper than 64"));
+  // Each file includes the next one twice.
+  for (int k = 0; k < 15; ++k) {
+    const std::string next = "#include \"i" + std::to_string(k + 1) + "\"\n";
+    write_text(folder / ("constant/i" + std::to_string(k)), next + next);
+  }
+  write_text(folder / "constant/i15", "a 1;");
+  EXPECT_THAT(error_of([&] { (void)read(folder, "#include \"i0\"\n"); }),
+              HasSubstr("#include of more than 64 files"));
+  EXPECT_THAT(error_of([&] { (void)read(folder, "a $a$a; b 1 }"); }), HasSubstr("no ; after"));
+  EXPECT_THAT(error_of([&] { (void)read(folder, "/* a 1;"); }), HasSubstr("comment without"));
+  EXPECT_THAT(error_of([&] { (void)read(folder, "a 1; } b 2;"); }), HasSubstr("} found"));
+  EXPECT_THAT(error_of([&] { (void)read(folder, "v (1 0 -9.81 0);").numbers("v", 3); }),
+              HasSubstr("3 finite numbers expected"));
+}
+
 }  // namespace
 }  // namespace surge::compare
