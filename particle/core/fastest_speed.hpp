@@ -7,7 +7,8 @@
 
 namespace surge {
 
-/// Largest |v| of all particles, m/s: v_max of Eq. (25)'s Courant number. Walls are at rest.
+/// Largest |v| of all particles, m/s: v_max of Eq. (25)'s Courant number. Walls that move
+/// count.
 template <int D>
 double fastest_speed(const Particles<D>& p) {
   const auto n = static_cast<std::ptrdiff_t>(p.size());

@@ -132,7 +132,22 @@ Particles<D> initial_particles(const Case& c, int wall_layers) {
   for (const FluidBlock& block : c.blocks) add_block<D>(p, block, length(c.gravity), c.spacing);
   if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
   for (const Box& box : c.obstacles) add_obstacle<D>(p, box, c.spacing, wall_layers);
+  for (const MovingWall& wall : c.moving_walls)
+    add_obstacle<D>(p, wall.box, c.spacing, wall_layers);
   return p;
+}
+
+template <int D>
+std::vector<std::int32_t> moving_wall_ids(const Case& c, int wall_layers, std::size_t particles) {
+  std::vector<std::int32_t> end{0};
+  Particles<D> walls;
+  for (const MovingWall& wall : c.moving_walls) {
+    add_obstacle<D>(walls, wall.box, c.spacing, wall_layers);
+    end.push_back(static_cast<std::int32_t>(walls.size()));
+  }
+  const auto before = static_cast<std::int32_t>(particles - walls.size());
+  for (std::int32_t& id : end) id += before;
+  return end;
 }
 
 template <int D>
@@ -159,6 +174,8 @@ double initial_depth(const Case& c, const Vec<D>& x, double reach) {
 
 template Particles<2> initial_particles<2>(const Case&, int);
 template Particles<3> initial_particles<3>(const Case&, int);
+template std::vector<std::int32_t> moving_wall_ids<2>(const Case&, int, std::size_t);
+template std::vector<std::int32_t> moving_wall_ids<3>(const Case&, int, std::size_t);
 template double initial_depth<2>(const Case&, const Vec<2>&, double);
 template double initial_depth<3>(const Case&, const Vec<3>&, double);
 

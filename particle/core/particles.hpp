@@ -56,7 +56,7 @@ enum class ParticleType : std::uint8_t { fluid = 0, wall = 1, dummy = 2 };
 template <int D>
 struct Particles {
   std::array<Field, D> x;  ///< position, m
-  std::array<Field, D> v;  ///< velocity, m/s; zero for walls
+  std::array<Field, D> v;  ///< velocity, m/s; zero for walls that do not move
   Field pressure;          ///< Pa
   Field density;           ///< SPH: rho, kg/m3. MPS: particle number density n, dimensionless
   AlignedVector<ParticleType> type;

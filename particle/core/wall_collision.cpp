@@ -13,10 +13,29 @@ WallCollision<D>::WallCollision(const Case& c, double distance, double restituti
       expanded_(c.obstacles),
       distance_(distance),
       restitution_(restitution) {
-  for (Box& box : expanded_) {
+  const auto grow = [distance](Box& box) {
     for (int a = 0; a < D; ++a) {
       box.lower[a] -= distance;
       box.upper[a] += distance;
+    }
+  };
+  for (Box& box : expanded_) grow(box);
+  for (const MovingWall& wall : c.moving_walls) {
+    movers_.push_back({wall, wall.box, {}, {}, {}});
+    grow(movers_.back().expanded);
+  }
+  move_walls(0.0, 0.0);
+}
+
+template <int D>
+void WallCollision<D>::move_walls(double begin, double end) {
+  for (Mover& mover : movers_) {
+    const MotionState before = motion_at(mover.wall.law, begin);
+    const MotionState after = motion_at(mover.wall.law, end);
+    for (std::size_t a = 0; a < D; ++a) {
+      mover.before[a] = before.displacement * mover.wall.direction[a];
+      mover.after[a] = after.displacement * mover.wall.direction[a];
+      mover.velocity[a] = after.velocity * mover.wall.direction[a];
     }
   }
 }
@@ -28,6 +47,7 @@ bool WallCollision<D>::apply(const Vec<D>& start, Vec<D>& end, Vec<D>& velocity)
   for (int pass = 0; pass < 4; ++pass) {
     bool again = false;
     for (const Box& box : expanded_) again = keep_out(box, start, end, velocity) || again;
+    for (const Mover& mover : movers_) again = keep_out_of(mover, start, end, velocity) || again;
     again = keep_in_tank(end, velocity) || again;
     if (!again) break;
     met = true;
@@ -103,6 +123,26 @@ bool WallCollision<D>::keep_out(const Box& box, const Vec<D>& start, Vec<D>& end
   return true;
 }
 
+/// In the frame of the wall, in which it is at rest.
+template <int D>
+bool WallCollision<D>::keep_out_of(const Mover& mover, const Vec<D>& start, Vec<D>& end,
+                                   Vec<D>& velocity) const {
+  Vec<D> from;
+  Vec<D> to;
+  Vec<D> v;
+  for (int a = 0; a < D; ++a) {
+    from[a] = start[a] - mover.before[a];
+    to[a] = end[a] - mover.after[a];
+    v[a] = velocity[a] - mover.velocity[a];
+  }
+  if (!keep_out(mover.expanded, from, to, v)) return false;
+  for (int a = 0; a < D; ++a) {
+    end[a] = to[a] + mover.after[a];
+    velocity[a] = v[a] + mover.velocity[a];
+  }
+  return true;
+}
+
 template <int D>
 bool WallCollision<D>::is_lost(const Vec<D>& x) const {
   for (int a = 0; has_tank_ && a < D; ++a)
@@ -123,10 +163,17 @@ bool WallCollision<D>::is_solid(const Vec<D>& x) const {
 
 template <int D>
 bool WallCollision<D>::in_obstacle(const Vec<D>& x) const {
-  return std::any_of(solid_.begin(), solid_.end(), [&](const Box& box) {
+  const auto inside = [](const Box& box, const Vec<D>& point) {
     for (int a = 0; a < D; ++a)
-      if (x[a] <= box.lower[a] || x[a] >= box.upper[a]) return false;
+      if (point[a] <= box.lower[a] || point[a] >= box.upper[a]) return false;
     return true;
+  };
+  if (std::any_of(solid_.begin(), solid_.end(), [&](const Box& box) { return inside(box, x); }))
+    return true;
+  return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& mover) {
+    Vec<D> point = x;
+    for (int a = 0; a < D; ++a) point[a] -= mover.after[a];
+    return inside(mover.wall.box, point);
   });
 }
 

@@ -14,16 +14,29 @@ class WallCollision {
   /// distance: m; restitution: ratio of normal speeds after and before, 0 to 1
   WallCollision(const Case& c, double distance, double restitution);
 
+  /// Walls that move go from where they are at `begin` to where they are at `end` (s) in the paths
+  /// that follow.
+  void move_walls(double begin, double end);
+
   /// Corrects the end of the straight path from `start` to `end` and the velocity. Returns whether
-  /// the path met a wall. `start` need not be free of walls: a particle inside one is pushed out.
+  /// the path met a wall; a particle that a moving wall meets has no less than the wall's velocity
+  /// afterwards. `start` need not be free of walls: a particle inside one is pushed out.
   bool apply(const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
 
-  /// Whether x lies outside the tank (open sides included) or inside an obstacle.
+  /// Whether x lies outside the tank (open sides included) or inside an obstacle or moving wall.
   [[nodiscard]] bool is_lost(const Vec<D>& x) const;
-  /// Whether x lies beyond a wall of the tank or inside an obstacle.
+  /// Whether x lies beyond a wall of the tank or inside an obstacle or moving wall.
   [[nodiscard]] bool is_solid(const Vec<D>& x) const;
 
  private:
+  struct Mover {
+    MovingWall wall;
+    Box expanded;  ///< its box at displacement zero, grown by the distance
+    Vec<D> before{};
+    Vec<D> after{};
+    Vec<D> velocity{};
+  };
+  bool keep_out_of(const Mover& mover, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
   [[nodiscard]] bool in_obstacle(const Vec<D>& x) const;
   bool keep_in_tank(Vec<D>& end, Vec<D>& velocity) const;
   bool keep_out(const Box& obstacle, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
@@ -32,6 +45,7 @@ class WallCollision {
   Tank tank_;
   std::vector<Box> solid_;     ///< obstacles as they are
   std::vector<Box> expanded_;  ///< obstacles grown by the distance
+  std::vector<Mover> movers_;
   double distance_;
   double restitution_;
 };

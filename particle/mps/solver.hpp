@@ -2,17 +2,25 @@
 
 #include "particle/case/case.hpp"
 #include "particle/core/balanced_loop.hpp"
+#include "particle/core/body_force.hpp"
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
+#include "particle/core/moving_walls.hpp"
 #include "particle/core/neighbour_list.hpp"
-#include "particle/core/particles.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/wall_collision.hpp"
 #include "particle/linear/pressure_solver.hpp"
 #include "particle/mps/collision.hpp"
-#include "particle/mps/free_surface.hpp"
+#include "particle/mps/correction.hpp"
+#include "particle/mps/model.hpp"
 #include "particle/mps/params.hpp"
 #include "particle/mps/pressure_poisson.hpp"
+#include "particle/mps/shift.hpp"
+#include "particle/mps/source.hpp"
+#include "particle/mps/state.hpp"
+#include "particle/mps/surface.hpp"
+#include "particle/mps/view.hpp"
+#include "particle/mps/viscosity.hpp"
 
 namespace surge::mps {
 
@@ -23,28 +31,35 @@ template <int D>
 class Solver {
  public:
   Solver(const Case& c, const Params& params, Search search);
+  /// Goes on from where another solver of the same case, options and build was, as that one would.
+  Solver(const Case& c, const Params& params, Search search, State<D> state);
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
   /// Time step, Eq. (25).
-  /// Not above the limit of the explicit viscous term.
+  /// Not above the limit of the explicit viscous term, nor that of a moving wall.
   [[nodiscard]] double stable_step() const;
 
-  [[nodiscard]] double time() const { return time_; }
-  [[nodiscard]] const Particles<D>& particles() const { return p_; }
+  [[nodiscard]] double time() const { return s_.time; }
+  [[nodiscard]] const Particles<D>& particles() const { return s_.p; }
+  [[nodiscard]] const State<D>& state() const { return s_; }
   [[nodiscard]] Clock& clock() { return clock_; }
-  [[nodiscard]] double reference_density() const { return n0_; }
+  [[nodiscard]] double reference_density() const { return model_.n0; }
   /// Radii of the interaction: of gradient and number density, and of the Laplacian, m.
-  [[nodiscard]] double radius() const { return re_; }
-  [[nodiscard]] double laplacian_radius() const { return re_laplacian_; }
+  [[nodiscard]] double radius() const { return model_.re; }
+  [[nodiscard]] double laplacian_radius() const { return model_.re_laplacian; }
   /// The pressure equation of the last step.
   [[nodiscard]] const linear::PoissonSystem& system() { return assembly_.system(); }
 
  private:
   // The first line of the comment on a function that step() calls is its box in the flowchart.
   /// Temporal velocities by gravity.
+  /// And by the tank's motion, and viscosity: v* = v + dt (g + nu lap v).
   void apply_body_forces(double dt);
+  /// Moving walls to their new places.
+  void place_moving_walls(double dt);
   /// Temporal positions, held back at walls.
+  /// x += dt velocity for the fluid.
   void move(double dt, const std::array<Field, D>& velocity, StepReport& report);
   /// Neighbours of each particle.
   void find_neighbours();
@@ -56,70 +71,41 @@ class Solver {
   void find_free_surface();
   /// Pressure Poisson equation, Eqs. (7), (12).
   void solve_pressure(double dt, StepReport& report);
-  [[nodiscard]] bool is_on_surface(std::size_t i, const Displacement<D>& displacement) const;
-  [[nodiscard]] double source(std::size_t i, double dt, const Displacement<D>& displacement) const;
   /// New velocities and positions, Eqs. (11), (13).
   void correct(double dt, StepReport& report);
   /// Particles moved apart, along the surface near it.
   void shift_particles(double dt, StepReport& report);
-  void update_surface_pressure(double dt, const Displacement<D>& displacement);
-  void find_concentration_gradient(const Displacement<D>& displacement);
-  [[nodiscard]] double surface_source(std::size_t i, const Displacement<D>& displacement) const;
-  [[nodiscard]] Vec<D> surface_normal(std::size_t i, const Displacement<D>& displacement) const;
-  [[nodiscard]] bool near_surface(std::size_t i, const Displacement<D>& displacement) const;
-  void find_wall_normals(const Case& c);
-  [[nodiscard]] Vec<D> relative_velocity(std::size_t i, std::size_t j, double fallen) const;
-  [[nodiscard]] double still_source(std::size_t i, const Displacement<D>& displacement) const;
-  [[nodiscard]] Vec<D> shift_of(std::size_t i, double dt,
-                                const Displacement<D>& displacement) const;
-  [[nodiscard]] double divergence_to_remove(std::size_t i, double dt,
-                                            const Displacement<D>& displacement) const;
-  void find_minima(const Displacement<D>& displacement);
-  [[nodiscard]] Vec<D> pressure_gradient(std::size_t i, const Displacement<D>& displacement) const;
   /// Fastest particle.
   void measure_speed(StepReport& report);
+
+  void take_pressures(StepReport& report);
+  [[nodiscard]] BodyAcceleration<D> body_acceleration(double dt) const {
+    return body_force_.at(s_.time + 0.5 * dt, s_.time, s_.time + dt);
+  }
   /// Kinematic viscosity, numerical or not, m2/s.
   [[nodiscard]] double viscosity() const {
-    return std::max(nu_, params_.numerical_viscosity * spacing_ * v_max_);
+    return std::max(model_.nu, params_.numerical_viscosity * model_.spacing * s_.v_max);
   }
-  void add_viscosity(double dt);
-  [[nodiscard]] Vec<D> viscous_acceleration(std::size_t i,
-                                            const Displacement<D>& displacement) const;
-  void extrapolate_to_walls(const Displacement<D>& displacement);
-
-  [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
-  [[nodiscard]] bool has_pressure(std::size_t i) const { return p_.type[i] != ParticleType::dummy; }
-  /// p = 0, by Eq. (14).
-  [[nodiscard]] bool is_surface(std::size_t i) const { return has_pressure(i) && unknown_[i] < 0; }
-  template <class F>
-  void for_each_fluid(F&& f);
+  [[nodiscard]] View<D> view() {
+    return {model_, s_.p, list_, unknown_, Displacement<D>(s_.p.x, periodicity_), loop_};
+  }
 
   Params params_;
   TimeControl control_;
-  double spacing_;
-  double rho_;
-  double nu_;
-  bool no_slip_;
-  Vec<D> gravity_{};
-  Vec<D> still_gravity_{};  ///< what a hydrostatic pressure balances
-  double re_;               ///< of gradient and number density, m
-  double re_laplacian_;     ///< m
-  double n0_;               ///< Eq. (9), at re
-  double laplacian_factor_;
-  LayerThickness<D> layer_thickness_;
-  double divergence_time_;  ///< s
-  double viscous_lambda_;   ///< m2; the lattice's, whatever the pressure equation has
-  CollisionModel<D> collision_;
+  Model<D> model_;
+  State<D> s_;
+  BodyForce<D> body_force_;
+  MovingWalls<D> movers_;
   WallCollision<D> walls_;
+  CollisionModel<D> collision_;
 
-  Particles<D> p_;
-  std::array<Field, D> correction_;              ///< v' of Eq. (11), m/s
-  std::array<Field, D> rubbing_velocity_;        ///< m/s, what neighbours show to the viscous term
-  std::array<Field, D> concentration_gradient_;  ///< 1/m, of shifting
-  std::vector<Vec<D>> wall_normal_;              ///< by id; empty where walls are not smooth
-  std::array<Field, D> carried_;                 ///< m/s, of the velocity by shifting
-  Field surface_pressure_;                       ///< Pa, where a particle is on the surface
-  Field least_;                                  ///< Pa, the neighbourhood minimum of Eq. (6)
+  Viscosity<D> viscosity_;
+  Surface<D> surface_;
+  PressureSource<D> source_;
+  PressureCorrection<D> pressure_correction_;
+  Shift<D> shift_;
+
+  std::array<Field, D> correction_;  ///< v' of Eq. (11), m/s
   AlignedVector<std::int32_t>
       unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;
@@ -131,10 +117,6 @@ class Solver {
   PoissonAssembly<D> assembly_;
   linear::PressureSolver pressure_solver_;
   BalancedLoop loop_;
-
-  double time_ = 0.0;
-  long steps_ = 0;
-  double v_max_ = 0.0;
   Clock clock_;
 };
 

@@ -1,19 +1,20 @@
 #pragma once
 
-#include <variant>
-
 #include "particle/case/case.hpp"
+#include "particle/core/body_force.hpp"
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/clock.hpp"
-#include "particle/core/particles.hpp"
+#include "particle/core/moving_walls.hpp"
 #include "particle/core/step_report.hpp"
-#include "particle/core/symmetric_pair_loop.hpp"
 #include "particle/core/wall_collision.hpp"
-#include "particle/kernel/quintic_spline.hpp"
-#include "particle/kernel/wendland_c2.hpp"
-#include "particle/sph/equation_of_state.hpp"
+#include "particle/sph/density_pass.hpp"
+#include "particle/sph/model.hpp"
+#include "particle/sph/momentum_pass.hpp"
 #include "particle/sph/params.hpp"
 #include "particle/sph/shifting.hpp"
+#include "particle/sph/state.hpp"
+#include "particle/sph/view.hpp"
+#include "particle/sph/wall_extrapolation.hpp"
 
 namespace surge::sph {
 
@@ -32,90 +33,70 @@ template <int D>
 class Solver {
  public:
   Solver(const Case& c, const Params& params, Search search);
+  /// Goes on from where another solver of the same case, options and build was, as that one would.
+  Solver(const Case& c, const Params& params, Search search, State<D> state);
 
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
   /// Time step, Eq. (25).
   /// Also dt <= acoustic_courant h / (c0 + v_max) where that limit is on, and the limit of
   /// viscosity, dt <= 0.125 h^2 / nu (Morris, Fox & Zhu 1997); and of the damping of sound, dt <=
-  /// 0.5 h^2 / zeta, which is longer than that of sound for zeta <= 2 c0 h.
+  /// 0.5 h^2 / zeta, which is longer than that of sound for zeta <= 2 c0 h; and that of a moving
+  /// wall.
   [[nodiscard]] double stable_step() const;
 
-  [[nodiscard]] double time() const { return time_; }
-  [[nodiscard]] const Particles<D>& particles() const { return p_; }
+  [[nodiscard]] double time() const { return s_.time; }
+  [[nodiscard]] const Particles<D>& particles() const { return s_.p; }
+  [[nodiscard]] const State<D>& state() const { return s_; }
   [[nodiscard]] Clock& clock() { return clock_; }
-  [[nodiscard]] double sound_speed() const { return c0_; }
-  [[nodiscard]] double particle_mass() const { return mass_; }
-  using Kernel = std::variant<QuinticSpline<D>, WendlandC2<D>>;
-  [[nodiscard]] const Kernel& kernel() const { return kernel_; }
+  [[nodiscard]] double sound_speed() const { return model_.c0; }
+  [[nodiscard]] double particle_mass() const { return model_.mass; }
+  [[nodiscard]] const AnyKernel<D>& kernel() const { return model_.kernel; }
   /// h, m
-  [[nodiscard]] double smoothing_length() const { return h_; }
+  [[nodiscard]] double smoothing_length() const { return model_.h; }
 
  private:
-  /// Reads x, v, volume (and density); sums XSPH and the rate of density.
-  template <bool Diffusion>
-  using ContinuityLoop = SymmetricPairLoop<D, Diffusion ? 2 * D + 2 : 2 * D + 1, D + 1>;
-  /// Reads x, p/rho^2 (and v, density, volume) (and what stands for p/rho^2 of the particle
-  /// itself); sums the acceleration without gravity.
-  template <bool Viscous, bool Difference>
-  using MomentumLoop =
-      SymmetricPairLoop<D, (Viscous ? 2 * D + 3 : D + 1) + (Difference ? 1 : 0), D>;
-
   // The first line of the comment on a function that step() calls is its box in the flowchart.
   /// Particles sorted into cells of neighbours.
   void sort_particles(double dt);
   /// Velocities by half a step, gravity too.
-  void kick(double dt);
+  /// And the tank's motion: at `time`, its own acceleration as its mean over [begin, end].
+  void kick(double time, double begin, double end);
   /// Positions by half a step.
   void half_drift(double dt);
+  /// Moving walls to where they are at that time.
+  void place_moving_walls(double time);
   /// Density by continuity, Eq. (20).
   void apply_continuity(double dt);
-  template <class K, bool Diffusion>
-  void continuity_pass(const K& kernel);
-  void update_fluid_volume();
   /// Surface and shifting velocity; density by the shift.
   void survey_surroundings(double dt);
   /// Positions with XSPH, held back at walls, Eq. (24).
   void drift(double dt, StepReport& report);
   /// Pressure by the equation of state, Eq. (21).
   /// With what damps sound where that is on.
-  void apply_equation_of_state(StepReport& report);
-  template <class K>
-  void extrapolate_to_walls(const K& kernel);
-  template <class K>
-  void extrapolate_velocity(const K& kernel);
+  void apply_equation_of_state(double time, StepReport& report);
   /// Accelerations by pressure, Eqs. (22), (23).
   void apply_momentum();
-  template <class K, bool Viscous, bool Difference>
-  void momentum_pass(const K& kernel);
   /// Fastest particle.
   void measure_speed();
-  [[nodiscard]] bool near_fluid(std::size_t cell) const;
-  [[nodiscard]] bool is_fluid(std::size_t i) const { return p_.type[i] == ParticleType::fluid; }
-  template <class F>
-  void for_each_fluid(F&& f);
+
+  void sort();
+  void update_fluid_volume();
+  void set_pressures(StepReport& report);
+  [[nodiscard]] View<D> view() const { return {model_, grid_, s_.p, fluid_volume_, fluid_before_}; }
+  [[nodiscard]] bool is_fluid(std::size_t i) const { return s_.p.type[i] == ParticleType::fluid; }
 
   Params params_;
   TimeControl control_;
-  double spacing_;
-  double rho0_;
-  double nu_;
-  bool no_slip_;  ///< walls that rub: only with viscosity
-  Vec<D> gravity_{};
-  Vec<D> still_gravity_{};  ///< what a hydrostatic pressure balances
-  double h_;
-  double c0_;
-  double alpha_c0_h_;  ///< of the artificial viscosity, m2/s
-  double mass_;
-  Kernel kernel_;
-  EquationOfState state_;
+  Model<D> model_;
+  State<D> s_;
+  BodyForce<D> body_force_;
+  MovingWalls<D> movers_;
   WallCollision<D> walls_;
 
-  Particles<D> p_;
-  std::array<Field, D> acceleration_;
-  std::array<Field, D> rubbing_velocity_;  ///< m/s, of walls as the viscous term sees them
-  std::array<Field, D> xsph_;              ///< velocity correction of Eq. (24)
-  std::array<Field, D> xsph_old_;          ///< the one before, which the half drift used
+  std::array<Field, D> rubbing_velocity_;   ///< m/s, of walls as the viscous term sees them
+  std::array<Field, D> xsph_old_;           ///< XSPH's correction that the half drift used
+  std::array<Field, D> wall_acceleration_;  ///< m/s2; empty where no wall moves
   Field density_rate_;
   Field compression_rate_;  ///< that of continuity, kg/m3/s, where sound is damped
   Field fluid_volume_;      ///< m/rho of fluid particles, 0 for walls
@@ -127,19 +108,9 @@ class Solver {
   bool shifting_;
   bool difference_;  ///< negative pressures inside act by differences
   Surroundings<D> surroundings_;
-  ContinuityLoop<false> continuity_loop_;
-  ContinuityLoop<true> diffusion_loop_;
-  MomentumLoop<false, false> momentum_loop_;
-  MomentumLoop<true, false> viscous_loop_;
-  MomentumLoop<true, true> difference_loop_;
-  std::vector<TileBuffer<D, D + 3>> wall_tiles_;
-  std::vector<TileBuffer<D, 2 * D + 1>> rubbing_tiles_;
-
-  double time_ = 0.0;
-  long steps_ = 0;
-  double v_max_ = 0.0;
-  double skin_ = 0.0;              ///< by how much the grid reaches beyond the kernel, m
-  double moved_since_sort_ = 0.0;  ///< bound on any particle's path since the last sort, m
+  DensityPass<D> density_pass_;
+  MomentumPass<D> momentum_pass_;
+  WallExtrapolation<D> wall_extrapolation_;
   Clock clock_;
 };
 

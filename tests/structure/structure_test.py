@@ -17,7 +17,7 @@ COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["
 # can only shrink.
 LEFT_UPWARDS = {"compare/measure/wall_pressure.hpp"}
 LEFT_LONG = {
-    "particle/mps/solver.cpp", "particle/sph/solver.cpp",
+    "particle/sph/solver.cpp",
     "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp",
     "tests/workflow/allrun_test.py"}
 

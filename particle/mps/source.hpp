@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "particle/core/body_force.hpp"
+#include "particle/mps/params.hpp"
+#include "particle/mps/pressure_poisson.hpp"
+#include "particle/mps/view.hpp"
+
+namespace surge::mps {
+
+/// Right side of the pressure equation, Pa/m^2, with the sign of the Laplacian turned: the number
+/// density of Eq. (12) or the divergence of the velocity (Tanaka & Masunaga 2010), and what
+/// gravity and the pressures of the surface add where these are told apart from the unknown.
+template <int D>
+class PressureSource {
+ public:
+  /// wall_normal: by id; empty where walls are not smooth
+  PressureSource(const Params& params, std::vector<Vec<D>> wall_normal);
+
+  /// Fills rhs[unknown[i]] after a step dt (s) in which the fluid was accelerated. `still`: what of
+  /// that acceleration a pressure can balance.
+  void fill(const View<D>& view, const PoissonAssembly<D>& assembly,
+            const BodyAcceleration<D>& still, double dt, Field& rhs) const;
+
+ private:
+  template <bool Exact, bool Smooth>
+  [[nodiscard]] double divergence_to_remove(const View<D>& view, std::size_t i, double dt,
+                                            const BodyAcceleration<D>& fallen) const;
+  template <bool Smooth>
+  [[nodiscard]] Vec<D> relative_velocity(const View<D>& view, std::size_t i, std::size_t j,
+                                         double dt, const BodyAcceleration<D>& fallen) const;
+
+  Source source_;
+  double density_share_;
+  double relaxation_;
+  bool dynamic_;       ///< without the hydrostatic part
+  bool half_spacing_;  ///< surface particles have a pressure
+  bool exact_;         ///< divergence by the corrected gradient
+  std::vector<Vec<D>> wall_normal_;
+};
+
+}  // namespace surge::mps
