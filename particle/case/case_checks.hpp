@@ -11,7 +11,6 @@ namespace surge {
 struct Supports {
   bool tank_motion = false;
   bool moving_walls = false;
-  bool probe_diameter = false;
 };
 
 /// What the checks must know of the method that computes a case.

@@ -39,12 +39,6 @@ class Checker {
       refuse("motion", "a tank that moves");
     if (!case_.moving_walls.empty() && !method_.supports.moving_walls)
       refuse("moving_wall", "walls that move");
-    for (std::size_t i = 0; i < case_.probes.size() && !method_.supports.probe_diameter; ++i) {
-      if (case_.probes[i].diameter > 0.0)
-        throw root_.tables("probe")[i].error(
-            "diameter", number_text(case_.probes[i].diameter) + " m",
-            "none with " + std::string(method_.name) + ", whose probes have a size of their own");
-    }
   }
 
   void check_periods() const {

@@ -43,6 +43,23 @@ void MovingWalls<D>::place(Particles<D>& p, double time) const {
 }
 
 template <int D>
+void MovingWalls<D>::place(Particles<D>& p, double begin, double end,
+                           std::array<Field, D>& acceleration) const {
+  place(p, end);
+  const auto n = static_cast<std::ptrdiff_t>(p.size());
+  std::vector<double> mean(walls_.size());
+  for (std::size_t k = 0; k < walls_.size(); ++k)
+    mean[k] = (motion_at(walls_[k].law, end).velocity - motion_at(walls_[k].law, begin).velocity) /
+              (end - begin);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const std::size_t k = wall_of(p.id[i]);
+    for (std::size_t a = 0; a < D; ++a)
+      acceleration[a][i] = k == walls_.size() ? 0.0 : mean[k] * walls_[k].direction[a];
+  }
+}
+
+template <int D>
 void MovingWalls<D>::accelerations(const Particles<D>& p, double time,
                                    std::array<Field, D>& out) const {
   const auto n = static_cast<std::ptrdiff_t>(p.size());

@@ -18,6 +18,9 @@ class MovingWalls {
   [[nodiscard]] bool empty() const { return walls_.empty(); }
   /// Sets positions and velocities to those at `time`, s.
   void place(Particles<D>& p, double time) const;
+  /// The same at `end`, and the mean acceleration of every wall particle since `begin`, m/s2; zero
+  /// for all others.
+  void place(Particles<D>& p, double begin, double end, std::array<Field, D>& acceleration) const;
   /// Acceleration of every wall particle at `time`, m/s2, by its index; zero where it is fixed.
   void accelerations(const Particles<D>& p, double time, std::array<Field, D>& out) const;
   /// The largest speed of any wall at both ends of [begin, end] and on average, m/s.

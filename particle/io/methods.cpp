@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "particle/isph/method.hpp"
 #include "particle/mps/method.hpp"
 #include "particle/sph/method.hpp"
 
@@ -68,7 +69,7 @@ Method entry() {
 
 std::span<const Method> methods() {
   // A new method is one entry here.
-  static const std::array all{entry<mps::Method>(), entry<sph::Method>()};
+  static const std::array all{entry<mps::Method>(), entry<sph::Method>(), entry<isph::Method>()};
   return all;
 }
 

@@ -3,28 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "particle/core/solve_spd.hpp"
 #include "particle/mps/number_density.hpp"
 
 namespace surge::mps {
-
-/// x of A x = b for a symmetric positive definite A by elimination; empty where a pivot lies
-/// below `least_pivot`. Pivots are never less than the least eigenvalue.
-template <int D>
-std::optional<Vec<D>> solve_spd(std::array<Vec<D>, D> a, Vec<D> b, double least_pivot) {
-  for (int k = 0; k < D; ++k) {
-    if (a[k][k] < least_pivot) return std::nullopt;
-    for (int row = k + 1; row < D; ++row) {
-      const double factor = a[row][k] / a[k][k];
-      for (int column = k; column < D; ++column) a[row][column] -= factor * a[k][column];
-      b[row] -= factor * b[k];
-    }
-  }
-  for (int k = D - 1; k >= 0; --k) {
-    for (int column = k + 1; column < D; ++column) b[k] -= a[k][column] * b[column];
-    b[k] /= a[k][k];
-  }
-  return b;
-}
 
 // Eq. (6)
 /// The least value of phi among i and those of its neighbours within re (m) that `counts` lets in
@@ -92,7 +74,7 @@ std::optional<Vec<D>> corrected_gradient(std::size_t i, std::span<const std::uin
                          for (int b = 0; b < D; ++b) moment[a][b] += weight * d[a] * d[b];
                        }
                      });
-  return solve_spd<D>(moment, sum, limit * n0 / D);
+  return solve_spd(moment, sum, limit * n0 / D);
 }
 
 }  // namespace surge::mps

@@ -29,7 +29,7 @@ struct Method {
   static constexpr std::string_view density_array = "number_density";
   static constexpr bool solves_pressure = true;
   static constexpr bool needs_reference_speed = false;
-  static constexpr Supports supports{};
+  static constexpr Supports supports{.tank_motion = true, .moving_walls = true};
 
   /// What is wrong with the options together; they are good where it is empty.
   static std::optional<OptionFault> fault(const Params& p) {

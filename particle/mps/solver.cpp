@@ -8,8 +8,8 @@
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/time_step.hpp"
+#include "particle/core/wall_normals.hpp"
 #include "particle/mps/number_density.hpp"
-#include "particle/mps/wall_normals.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -75,6 +75,8 @@ Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> s
   }
   for (int a = 0; a < D; ++a) {
     correction_[a].assign(s_.p.size(), 0.0);
+    old_velocity_[a].assign(s_.p.size(), 0.0);
+    wall_acceleration_[a].assign(movers_.empty() ? 0 : s_.p.size(), 0.0);
     assembly_.system().period[a] = periodicity_.length[a];
   }
   unknown_.assign(s_.p.size(), -1);
@@ -121,6 +123,7 @@ template <int D>
 void Solver<D>::apply_body_forces(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   Particles<D>& p = s_.p;
+  for (int a = 0; a < D; ++a) old_velocity_[a].assign(p.v[a].begin(), p.v[a].end());
   if (viscosity() > 0.0) viscosity_.add(view(), viscosity(), dt, p.v);
   const BodyAcceleration<D> g = body_acceleration(dt);
   if (!g.turns) {
@@ -140,7 +143,7 @@ void Solver<D>::apply_body_forces(double dt) {
 
 template <int D>
 void Solver<D>::place_moving_walls(double dt) {
-  movers_.place(s_.p, s_.time + dt);
+  movers_.place(s_.p, s_.time, s_.time + dt, wall_acceleration_);
   walls_.move_walls(s_.time, s_.time + dt);
 }
 
@@ -179,6 +182,10 @@ void Solver<D>::find_neighbours() {
   grid_.build(s_.p.x, model_.re_laplacian, 2);
   grid_.reorder(s_.p);
   grid_.reorder(s_.surface_pressure);
+  for (int a = 0; a < D; ++a) {
+    grid_.reorder(old_velocity_[a]);
+    if (!movers_.empty()) grid_.reorder(wall_acceleration_[a]);
+  }
   for (int a = 0; a < D; ++a) s_.found_x[a].assign(s_.p.x[a].begin(), s_.p.x[a].end());
   // Only the viscous term asks who is near a dummy.
   const bool all = model_.no_slip;
@@ -232,7 +239,8 @@ void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const View<D> now = view();
   assembly_.assemble(s_.p, list_, now.displacement, unknown_, unknowns_);
   linear::PoissonSystem& system = assembly_.system();
-  source_.fill(now, assembly_, body_force_.still(body_acceleration(dt)), dt, system.rhs);
+  source_.fill(now, assembly_, body_force_.still(body_acceleration(dt)), wall_acceleration_, dt,
+               system.rhs);
   unknown_pressure_.resize(unknowns_);
   now.for_each([&](std::size_t i) {
     if (unknown_[i] >= 0)
@@ -284,11 +292,10 @@ void Solver<D>::correct(double dt, StepReport& report) {
     });
   }
   if (params_.position_update == PositionUpdate::mean_velocity) {
-    const Vec<D> g = body_acceleration(dt).uniform;
-    // The particles have gone dt v*: from there to dt (v + v')/2, v being the velocity before
-    // gravity.
+    // The particles have gone dt v*, v* = v' - correction: from there to dt (v + v')/2, v being the
+    // velocity at the start of the step, before gravity, viscosity and collisions.
     view().for_each_fluid([&](std::size_t i) {
-      for (int a = 0; a < D; ++a) correction_[a][i] = 0.5 * (correction_[a][i] - dt * g[a]);
+      for (int a = 0; a < D; ++a) correction_[a][i] += 0.5 * (old_velocity_[a][i] - p.v[a][i]);
     });
   }
   move(dt, correction_, report);

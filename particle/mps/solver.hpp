@@ -105,7 +105,9 @@ class Solver {
   PressureCorrection<D> pressure_correction_;
   Shift<D> shift_;
 
-  std::array<Field, D> correction_;  ///< v' of Eq. (11), m/s
+  std::array<Field, D> old_velocity_;       ///< m/s, at the start of the step
+  std::array<Field, D> correction_;         ///< v' of Eq. (11), m/s
+  std::array<Field, D> wall_acceleration_;  ///< m/s2; empty where no wall moves
   AlignedVector<std::int32_t>
       unknown_;  ///< number of a particle's pressure unknown, -1 where p = 0
   std::size_t unknowns_ = 0;

@@ -14,10 +14,13 @@ namespace {
 ///   -rho 2d/(lambda n0) sum_j a . (x_j - x_i) w,
 /// by the Laplacian model itself: the rows of the equation hold for it exactly, wherever the
 /// neighbours are, and so does water at rest. Zero where they surround the particle evenly. Where
-/// the acceleration differs from place to place it is taken half-way.
+/// the acceleration differs from place to place it is taken half-way; between fluid and a wall that
+/// moves, relative to the wall.
 template <int D>
 double still_source(const View<D>& view, const PoissonAssembly<D>& assembly,
-                    const BodyAcceleration<D>& still, std::size_t i) {
+                    const BodyAcceleration<D>& still, const std::array<Field, D>& wall_acceleration,
+                    std::size_t i) {
+  const bool moving = !wall_acceleration[0].empty();
   double sum = 0.0;
   for (const std::uint32_t j : view.neighbours(i)) {
     if (!assembly.couples(view.p, i, j)) continue;
@@ -27,6 +30,10 @@ double still_source(const View<D>& view, const PoissonAssembly<D>& assembly,
       Vec<D> middle = view.p.position(i);
       for (int a = 0; a < D; ++a) middle[a] += 0.5 * d[a];
       g = still.at(middle);
+    }
+    if (moving && view.is_fluid(i) != view.is_fluid(j)) {
+      const std::size_t wall = view.is_fluid(i) ? j : i;
+      for (int a = 0; a < D; ++a) g[a] -= wall_acceleration[a][wall];
     }
     double head = 0.0;
     for (int a = 0; a < D; ++a) head += g[a] * d[a];
@@ -62,7 +69,9 @@ PressureSource<D>::PressureSource(const Params& params, std::vector<Vec<D>> wall
 
 template <int D>
 void PressureSource<D>::fill(const View<D>& view, const PoissonAssembly<D>& assembly,
-                             const BodyAcceleration<D>& still, double dt, Field& rhs) const {
+                             const BodyAcceleration<D>& still,
+                             const std::array<Field, D>& wall_acceleration, double dt,
+                             Field& rhs) const {
   const Model<D>& m = view.model;
   const Field& density = view.p.density;
   const auto for_each_unknown = [&](const auto& f) {
@@ -71,8 +80,9 @@ void PressureSource<D>::fill(const View<D>& view, const PoissonAssembly<D>& asse
     });
   };
   if (dynamic_)
-    for_each_unknown(
-        [&](std::size_t i, double& row) { row = still_source(view, assembly, still, i); });
+    for_each_unknown([&](std::size_t i, double& row) {
+      row = still_source<D>(view, assembly, still, wall_acceleration, i);
+    });
   else
     for_each_unknown([](std::size_t, double& row) { row = 0.0; });
   if (half_spacing_)
@@ -84,11 +94,13 @@ void PressureSource<D>::fill(const View<D>& view, const PoissonAssembly<D>& asse
     return;
   }
   // What the body force has just added to the fluid, and not to the walls, is in still_source().
-  const BodyAcceleration<D> fallen = dynamic_ ? still : BodyAcceleration<D>{};
+  Added added;
+  if (dynamic_) added.fallen = still;
+  if (dynamic_ && !wall_acceleration[0].empty()) added.wall = &wall_acceleration;
   resolve(exact_, [&](auto exact) {
     resolve(!wall_normal_.empty(), [&](auto smooth) {
       for_each_unknown([&](std::size_t i, double& row) {
-        const double divergence = divergence_to_remove<exact(), smooth()>(view, i, dt, fallen);
+        const double divergence = divergence_to_remove<exact(), smooth()>(view, i, dt, added);
         // Under a surface neighbours are missing, not far apart.
         double n = density[i];
         if (n < m.n0 && near_surface(view, i)) n = m.n0;
@@ -98,19 +110,22 @@ void PressureSource<D>::fill(const View<D>& view, const PoissonAssembly<D>& asse
   });
 }
 
-/// v_j - v_i as the divergence sees it, less what has `fallen` to the fluid. Between fluid and a
-/// slip wall, of which the normal is known, only the normal part: what slides along a wall is not
-/// changed by the uneven places of the wall's particles.
+/// v_j - v_i as the divergence sees it, less what this step has `added` to fluid and walls. Between
+/// fluid and a slip wall, of which the normal is known, only the normal part: what slides along a
+/// wall is not changed by the uneven places of the wall's particles.
 template <int D>
 template <bool Smooth>
 Vec<D> PressureSource<D>::relative_velocity(const View<D>& view, std::size_t i, std::size_t j,
-                                            double dt, const BodyAcceleration<D>& fallen) const {
+                                            double dt, const Added& added) const {
   const Particles<D>& p = view.p;
+  const BodyAcceleration<D>& fallen = added.fallen;
   const auto velocity = [&](std::size_t k) {
     Vec<D> v = p.velocity(k);
     if (view.is_fluid(k)) {
       const Vec<D> g = fallen.turns ? fallen.at(p.position(k)) : fallen.uniform;
       for (int a = 0; a < D; ++a) v[a] -= dt * g[a];
+    } else if (added.wall != nullptr) {
+      for (int a = 0; a < D; ++a) v[a] -= dt * (*added.wall)[a][k];
     }
     return v;
   };
@@ -136,10 +151,10 @@ Vec<D> PressureSource<D>::relative_velocity(const View<D>& view, std::size_t i, 
 template <int D>
 template <bool Exact, bool Smooth>
 double PressureSource<D>::divergence_to_remove(const View<D>& view, std::size_t i, double dt,
-                                               const BodyAcceleration<D>& fallen) const {
+                                               const Added& added) const {
   const Model<D>& m = view.model;
   const auto relative = [&](std::size_t j) {
-    return relative_velocity<Smooth>(view, i, j, dt, fallen);
+    return relative_velocity<Smooth>(view, i, j, dt, added);
   };
   const auto everyone = [](std::size_t) { return true; };
   std::optional<std::array<Vec<D>, D>> gradient;

@@ -19,17 +19,24 @@ class PressureSource {
   PressureSource(const Params& params, std::vector<Vec<D>> wall_normal);
 
   /// Fills rhs[unknown[i]] after a step dt (s) in which the fluid was accelerated. `still`: what of
-  /// that acceleration a pressure can balance.
+  /// that acceleration a pressure can balance. wall_acceleration: of walls in this step, m/s2,
+  /// empty where none moves: dp/dn = rho (g - a_w) . n.
   void fill(const View<D>& view, const PoissonAssembly<D>& assembly,
-            const BodyAcceleration<D>& still, double dt, Field& rhs) const;
+            const BodyAcceleration<D>& still, const std::array<Field, D>& wall_acceleration,
+            double dt, Field& rhs) const;
 
  private:
+  /// What this step has just added to the velocities of fluid and walls, and stands in the pairs.
+  struct Added {
+    BodyAcceleration<D> fallen;
+    const std::array<Field, D>* wall = nullptr;
+  };
   template <bool Exact, bool Smooth>
   [[nodiscard]] double divergence_to_remove(const View<D>& view, std::size_t i, double dt,
-                                            const BodyAcceleration<D>& fallen) const;
+                                            const Added& added) const;
   template <bool Smooth>
   [[nodiscard]] Vec<D> relative_velocity(const View<D>& view, std::size_t i, std::size_t j,
-                                         double dt, const BodyAcceleration<D>& fallen) const;
+                                         double dt, const Added& added) const;
 
   Source source_;
   double density_share_;

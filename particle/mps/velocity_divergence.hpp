@@ -51,7 +51,7 @@ std::optional<std::array<Vec<D>, D>> velocity_gradient(std::size_t i,
                          }
                      });
   for (int a = 0; a < D; ++a) {
-    const auto gradient = solve_spd<D>(moment, sum[a], limit * n0 / D);
+    const auto gradient = solve_spd(moment, sum[a], limit * n0 / D);
     if (!gradient) return std::nullopt;
     sum[a] = *gradient;
   }

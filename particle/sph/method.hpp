@@ -28,7 +28,7 @@ struct Method {
   static constexpr std::string_view density_array = "density";
   static constexpr bool solves_pressure = false;
   static constexpr bool needs_reference_speed = true;  // its speed of sound is a multiple
-  static constexpr Supports supports{};
+  static constexpr Supports supports{.tank_motion = true, .moving_walls = true};
 
   static std::optional<OptionFault> fault(const Params&) { return std::nullopt; }
   static double interaction_radius(const Params& p) { return support_of(p.kernel) * p.h_over_l0; }

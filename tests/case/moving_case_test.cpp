@@ -253,14 +253,5 @@ TEST(Instruments, BadPlacesAndSurfacesAreRefused) {
   EXPECT_THAT(refusal("", {"probe.0.diameter=-1"}), HasSubstr("expected a number of at least 0"));
 }
 
-TEST(Instruments, AProbeOfAStatedSizeIsRefusedWhereItIsNotRead) {
-  try {
-    static_cast<void>(test::make_case({"probe.0.diameter=0.02"}));
-    FAIL() << "accepted";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--set probe.0.diameter=0.02: found 0.02 m"));
-  }
-}
-
 }  // namespace
 }  // namespace surge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "particle/io/computation.hpp"
+#include "particle/isph/solver.hpp"
 #include "particle/mps/solver.hpp"
 #include "particle/sph/solver.hpp"
 
@@ -9,6 +10,10 @@ namespace surge::test {
 namespace detail {
 template <class S>
 struct ParamsOf;
+template <int D>
+struct ParamsOf<isph::Solver<D>> {
+  using type = isph::Params;
+};
 template <int D>
 struct ParamsOf<mps::Solver<D>> {
   using type = mps::Params;

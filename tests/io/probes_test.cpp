@@ -75,6 +75,16 @@ TEST(Probes, FeelWaterThatCoversThemByHalf) {
   EXPECT_NEAR(measured(water), 0.5 * 8.0 / 0.75, 0.2);
 }
 
+// p = y^2 over a strip of length d: its mean is y0^2 + d^2/12, and half a spacing of depth more.
+TEST(Probes, WithADiameterReadTheMeanOverTheirArea) {
+  const Particles<2> water = lattice([](double, double y) { return y * y; }, 0.0);
+  const auto read = [&](const std::string& diameter) {
+    const Case c = test::make_case({"probe.0.position=[0.12,0.1]", "probe.0.diameter=" + diameter});
+    return Probes<2>(c).measure(water)[0];
+  };
+  EXPECT_NEAR(read("0.1") - read("0"), 0.1 * 0.1 / 12.0, 0.05 * 0.1 * 0.1 / 12.0);
+}
+
 // A corner of the tank, where a quarter of the disc is open.
 TEST(Probes, KeepAConstantPressureInACorner) {
   const Case c = test::make_case({"probe.0.position=[0.0,0.0]"});

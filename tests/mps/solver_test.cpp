@@ -107,6 +107,35 @@ TEST(MpsSolver, FreeFallByTheMeanVelocityIsAParabola) {
   }
 }
 
+// With viscosity, too, a step takes a particle by the mean of its velocities at both ends.
+TEST(MpsSolver, MeanVelocityCountsViscosity) {
+  Flow c = small_dam();
+  c.gravity = {};
+  c.tank.box.upper = {0.2, 0.2, 0.0};
+  c.tank.periodic = {true, true, false};
+  c.tank.open = {};
+  c.blocks[0].box = {{0.0, 0.0, 0.0}, {0.2, 0.1, 0.0}};
+  c.blocks.push_back(c.blocks[0]);
+  c.blocks[1].box = {{0.0, 0.1, 0.0}, {0.2, 0.2, 0.0}};
+  c.blocks[1].velocity = {1.0, 0.0, 0.0};
+  c.kinematic_viscosity = 0.01;
+  c.method.position_update = PositionUpdate::mean_velocity;
+  c.method.collision_distance = 0.0;
+  auto solver = solver_of<2>(c);
+  const auto before = positions(solver);
+  const double dt = solver.step(1.0).dt;
+  const auto& p = solver.particles();
+  double most = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double old = p.id[i] < 200 ? 0.0 : 1.0;
+    most = std::max(most, std::abs(p.v[0][i] - old));
+    double path = p.x[0][i] - before.at(p.id[i])[0];
+    path -= 0.2 * std::round(path / 0.2);
+    EXPECT_NEAR(path, 0.5 * dt * (old + p.v[0][i]), 1e-12);
+  }
+  EXPECT_GT(most, 1e-3);
+}
+
 /// Still water over a floor, periodic sideways, its rows moved at random by up to 0.4 spacings.
 Flow uneven_still_water() {
   Flow c = small_dam();

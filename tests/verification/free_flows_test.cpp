@@ -83,6 +83,13 @@ TEST(StretchingDrop, MpsImproved) {
   EXPECT_LT(std::abs(energy), 0.1);
 }
 
+TEST(StretchingDrop, IsphShifted) {
+  const auto [x, y, energy] = drop_errors<isph::Solver<2>>("isph", "shifted");
+  EXPECT_LT(std::abs(x), 0.02);
+  EXPECT_LT(std::abs(y), 0.02);
+  EXPECT_LT(std::abs(energy), 0.1);
+}
+
 /// Frequency over the exact one, less one, from two periods at 20 particles over half a wave.
 template <class S>
 double wave_error(const std::string& method, const std::string& preset) {
@@ -110,6 +117,11 @@ TEST(StandingWave, DeltaPlusKeepsThePeriod) {
 // A surface layer of constant thickness would make the period 4 % longer.
 TEST(StandingWave, MpsImprovedKeepsThePeriod) {
   EXPECT_LT(std::abs(wave_error<mps::Solver<2>>("mps", "improved")), 0.01);
+}
+
+// Its surface layer has a constant thickness, half a spacing, while the spacing across it changes.
+TEST(StandingWave, IsphShiftedKeepsThePeriod) {
+  EXPECT_LT(std::abs(wave_error<isph::Solver<2>>("isph", "shifted")), 0.04);
 }
 
 // Pairs exchange momentum along their line: nothing is lost of either, whatever else happens. A
@@ -148,6 +160,10 @@ double patch_spreading(const std::string& method, const std::string& preset,
 
 TEST(RotatingPatch, DeltaPlusHoldsTogether) {
   EXPECT_NEAR(patch_spreading<sph::Solver<2>>("sph", "delta-plus"), 0.157, 0.05);
+}
+
+TEST(RotatingPatch, IsphShiftedHoldsTogether) {
+  EXPECT_NEAR(patch_spreading<isph::Solver<2>>("isph", "shifted"), 0.157, 0.05);
 }
 
 // Positions by the new velocity would make it depend on the step.

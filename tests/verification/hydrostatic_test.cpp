@@ -123,6 +123,12 @@ TEST(StillWater, DeltaPlusDoesNotStirItself) {
   EXPECT_LT(fastest, 0.02);
 }
 
+TEST(SmoothPressure, IsphShifted) {
+  EXPECT_LT(
+      pressure_error<isph::Solver<2>>(still_water({"method.name=isph", "method.preset=shifted"})),
+      0.01);
+}
+
 TEST(SmoothPressure, MpsImproved) {
   EXPECT_LT(
       pressure_error<mps::Solver<2>>(still_water({"method.name=mps", "method.preset=improved"})),

@@ -1,4 +1,4 @@
-#include "particle/mps/wall_normals.hpp"
+#include "particle/core/wall_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "particle/core/neighbour_list.hpp"
 
-namespace surge::mps {
+namespace surge {
 namespace {
 
 /// From the nearest point of a box to x; zero inside. m
@@ -59,4 +59,4 @@ std::vector<Vec<D>> wall_normals(const Case& c, const Particles<D>& p) {
 template std::vector<Vec<2>> wall_normals<2>(const Case&, const Particles<2>&);
 template std::vector<Vec<3>> wall_normals<3>(const Case&, const Particles<3>&);
 
-}  // namespace surge::mps
+}  // namespace surge

@@ -1,0 +1,177 @@
+#include "particle/core/pressure_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "particle/core/for_each_cell.hpp"
+#include "particle/core/wall_collision.hpp"
+
+namespace surge {
+namespace {
+
+/// Below it a place counts as partly dry: gaps at a wall and between stretched particles are less.
+constexpr double least_wet = 0.75;
+
+/// A place of whose surroundings less than this is open lies between solids: no water presses
+/// there.
+constexpr double least_open = 0.02;
+
+struct NoWalls {
+  template <std::size_t N>
+  [[nodiscard]] bool is_solid(const std::array<double, N>&) const {
+    return false;
+  }
+};
+
+}  // namespace
+
+template <int D>
+PressureSampler<D>::PressureSampler(const Case& c, std::vector<Vec<D>> points)
+    : radius_(2.0 * c.spacing),
+      points_(std::move(points)),
+      sum_(points_.size()),
+      weights_(points_.size()),
+      pressure_(points_.size()) {
+  for (std::size_t a = 0; a < D; ++a) {
+    const bool wraps = c.has_tank && c.tank.periodic[a];
+    period_[a] = wraps ? c.tank.box.upper[a] - c.tank.box.lower[a] : 0.0;
+  }
+  const WallCollision<D> walls(c, 0.0, 0.0);
+  const double all = weight_of_the_open(NoWalls{}, c.spacing, Vec<D>{});
+  for (const Vec<D>& point : points_) {
+    const double open = weight_of_the_open(walls, c.spacing, point);
+    wet_.push_back(open < least_open * all ? std::numeric_limits<double>::infinity()
+                                           : least_wet * open);
+  }
+  sort_points();
+}
+
+template <int D>
+void PressureSampler<D>::sort_points() {
+  if (points_.empty()) return;
+  lower_ = upper_ = points_.front();
+  for (const Vec<D>& point : points_)
+    for (std::size_t a = 0; a < D; ++a) {
+      lower_[a] = std::min(lower_[a], point[a]);
+      upper_[a] = std::max(upper_[a], point[a]);
+    }
+  std::size_t count = 1;
+  for (std::size_t a = 0; a < D; ++a) {
+    lower_[a] -= radius_;
+    upper_[a] += radius_;
+    cells_[a] = static_cast<int>((upper_[a] - lower_[a]) / radius_) + 1;
+    count *= static_cast<std::size_t>(cells_[a]);
+  }
+  std::vector<std::size_t> cell(points_.size());
+  cell_begin_.assign(count + 1, 0);
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    std::size_t index = 0;
+    for (std::size_t a = D; a-- > 0;)
+      index = index * static_cast<std::size_t>(cells_[a]) +
+              static_cast<std::size_t>((points_[k][a] - lower_[a]) / radius_);
+    cell[k] = index;
+    ++cell_begin_[index + 1];
+  }
+  for (std::size_t k = 0; k < count; ++k) cell_begin_[k + 1] += cell_begin_[k];
+  std::vector<std::size_t> next(cell_begin_.begin(), cell_begin_.end() - 1);
+  sorted_.resize(points_.size());
+  for (std::size_t k = 0; k < points_.size(); ++k) sorted_[next[cell[k]]++] = k;
+}
+
+template <int D>
+double PressureSampler<D>::weight(double r) const {
+  return (1.0 - r / radius_) * (1.0 - r / radius_);
+}
+
+/// int w dV / l0^D over what is not solid, by midpoints.
+template <int D>
+template <class Walls>
+double PressureSampler<D>::weight_of_the_open(const Walls& walls, double spacing,
+                                              const Vec<D>& point) const {
+  constexpr int parts = D == 2 ? 40 : 24;  // of a diameter
+  const double step = 2.0 * radius_ / parts;
+  double sum = 0.0;
+  std::array<int, D> end;
+  end.fill(parts);
+  for_each_cell<D>({}, end, [&](const std::array<int, D>& k) {
+    Vec<D> x;
+    double square = 0.0;
+    for (std::size_t a = 0; a < D; ++a) {
+      const double d = (k[a] + 0.5) * step - radius_;
+      x[a] = point[a] + d;
+      square += d * d;
+    }
+    if (square < radius_ * radius_ && !walls.is_solid(x)) sum += weight(std::sqrt(square));
+  });
+  return sum * std::pow(step / spacing, D);
+}
+
+template <int D>
+template <class F>
+void PressureSampler<D>::for_each_image(const Vec<D>& x, F&& f) const {
+  std::array<int, D> first{};
+  std::array<int, D> last{};
+  for (std::size_t a = 0; a < D; ++a) {
+    last[a] = 1;
+    if (period_[a] == 0.0) continue;
+    first[a] = -1;
+    last[a] = 2;
+  }
+  for_each_cell<D>(first, last, [&](const std::array<int, D>& k) {
+    Vec<D> image = x;
+    for (std::size_t a = 0; a < D; ++a) {
+      image[a] += k[a] * period_[a];
+      if (image[a] < lower_[a] || image[a] > upper_[a]) return;
+    }
+    f(image);
+  });
+}
+
+template <int D>
+void PressureSampler<D>::add(const Vec<D>& x, double pressure) {
+  std::array<int, D> first;
+  std::array<int, D> last;
+  for (std::size_t a = 0; a < D; ++a) {
+    const int own = static_cast<int>((x[a] - lower_[a]) / radius_);
+    first[a] = std::max(own - 1, 0);
+    last[a] = std::min(own + 2, cells_[a]);
+  }
+  for_each_cell<D>(first, last, [&](const std::array<int, D>& k) {
+    std::size_t cell = 0;
+    for (std::size_t a = D; a-- > 0;)
+      cell = cell * static_cast<std::size_t>(cells_[a]) + static_cast<std::size_t>(k[a]);
+    for (std::size_t s = cell_begin_[cell]; s < cell_begin_[cell + 1]; ++s) {
+      const std::size_t point = sorted_[s];
+      double square = 0.0;
+      for (std::size_t a = 0; a < D; ++a)
+        square += (x[a] - points_[point][a]) * (x[a] - points_[point][a]);
+      if (square >= radius_ * radius_) continue;
+      const double w = weight(std::sqrt(square));
+      sum_[point] += w * pressure;
+      weights_[point] += w;
+    }
+  });
+}
+
+template <int D>
+const std::vector<double>& PressureSampler<D>::measure(const Particles<D>& particles,
+                                                       const Vec<D>& shift) {
+  if (points_.empty()) return pressure_;
+  std::fill(sum_.begin(), sum_.end(), 0.0);
+  std::fill(weights_.begin(), weights_.end(), 0.0);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.type[i] != ParticleType::fluid) continue;
+    Vec<D> x = particles.position(i);
+    for (std::size_t a = 0; a < D; ++a) x[a] -= shift[a];
+    for_each_image(x, [&](const Vec<D>& image) { add(image, particles.pressure[i]); });
+  }
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    pressure_[k] = weights_[k] > 0.0 ? sum_[k] / std::max(weights_[k], wet_[k]) : 0.0;
+  return pressure_;
+}
+
+template class PressureSampler<2>;
+template class PressureSampler<3>;
+
+}  // namespace surge
