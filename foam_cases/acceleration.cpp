@@ -65,18 +65,18 @@ AccelerationTable::AccelerationTable(const TankMotion& motion, const Point& grav
   for (double k = 0.0; k < count; ++k) rows_.push_back(row(k * step));
 }
 
-/// What the velocity jumps by, at each time after zero where it does.
+/// What the velocity jumps by, at each time after zero where it does. The integral of a table of
+/// accelerations has no jumps.
 void AccelerationTable::find_jumps(double end) {
   const ScalarMotion& law = motion_.law;
   std::vector<double> times;
-  if (law.kind == ScalarMotion::Kind::harmonic) times = {law.start};
+  if (law.kind == ScalarMotion::Kind::harmonic && law.ramp <= 0.0) times = {law.start};
   if (law.kind == ScalarMotion::Kind::constant) times = {law.start, law.stop};
-  if (law.kind == ScalarMotion::Kind::table) {
+  if (law.kind == ScalarMotion::Kind::table &&
+      law.quantity == ScalarMotion::Quantity::displacement) {
     for (const auto& sample : law.samples) times.push_back(sample[0]);
   }
-  double scale = 0.0;
-  for (const double t : times) scale = std::max(scale, std::abs(t));
-  const double nearby = 1e-9 * std::max(scale, end);
+  const double nearby = 1e-9 * end;
   for (const double t : times) {
     if (t <= nearby || t > end) continue;
     const double before = motion_at(law, t - nearby).velocity;

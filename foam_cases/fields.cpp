@@ -50,17 +50,35 @@ std::string alpha_boundaries(const FoamCase& c) {
   });
 }
 
+namespace {
+
+bool has_open_side(const FoamCase& c) {
+  return std::any_of(c.boundaries.begin(), c.boundaries.end(),
+                     [](const Patch& patch) { return patch.kind == Patch::Kind::open; });
+}
+
+/// fixedFluxPressure knows of gravity and not of other forces on the cells at a wall; the other one
+/// takes all of them from the cell. A tank without an open side cannot have it: the solver adjusts
+/// the flux through such walls before it is set to zero.
+const char* wall_pressure(const FoamCase& c) {
+  const bool turns = c.flow.motion.kind == TankMotion::Kind::rotation;
+  return turns && has_open_side(c) ? "fixedFluxExtrapolatedPressure" : "fixedFluxPressure";
+}
+
+}  // namespace
+
 // Where gravity points away from, all is air and p_rgh uniform. On the other sides the air outside
-// is at rest, p = rhoAir gh, so that p_rgh = p - rho gh depends on what is there.
+// is at rest, p = rhoAir gh, so that p_rgh = p - rho gh depends on what is there; what flows in has
+// lost its dynamic pressure.
 std::string pressure_boundaries(const FoamCase& c) {
-  return boundaries(c, {{"type", "fixedFluxPressure"}, {"value", "uniform 0"}},
-                    [](const Patch& patch) {
-                      if (patch.name == "atmosphere")
-                        return Entries{{"type", "totalPressure"}, {"p0", "uniform 0"}};
-                      return Entries{{"type", "exprFixedValue"},
-                                     {"value", "uniform 0"},
-                                     {"valueExpr", "\"($rhoAir - rho)*gh\""}};
-                    });
+  return boundaries(
+      c, {{"type", wall_pressure(c)}, {"value", "uniform 0"}}, [](const Patch& patch) {
+        if (patch.name == "atmosphere")
+          return Entries{{"type", "totalPressure"}, {"p0", "uniform 0"}};
+        return Entries{{"type", "exprFixedValue"},
+                       {"value", "uniform 0"},
+                       {"valueExpr", "\"($rhoAir - rho)*gh - (phi < 0 ? 0.5 : 0)*rho*magSqr(U)\""}};
+      });
 }
 
 }  // namespace surge::foam

@@ -83,6 +83,18 @@ void check_supported(const Case& c, const TomlTable& root) {
   }
 }
 
+/// Whether a place is on floor or ceiling and less than a cell from a wall across it.
+bool in_edge(const FoamCase& c, const Probe& probe) {
+  const auto distance = [&](std::size_t a) {
+    return std::min(probe.position[a] - c.mesh.lower(a), c.mesh.upper(a) - probe.position[a]);
+  };
+  if (distance(c.mesh.up) > 1e-6 * c.mesh.cell) return false;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(c.flow.dimension); ++a)
+    if (a != c.mesh.up && !c.flow.tank.periodic[a] && distance(a) < 0.999999 * c.mesh.cell)
+      return true;
+  return false;
+}
+
 FoamCase checked(const TomlTable& root, const std::string& source,
                  std::span<const std::string> overrides, std::span<const std::string> settings) {
   FoamCase made;
@@ -121,6 +133,20 @@ std::vector<std::string> notes_on(const FoamCase& c) {
       notes.push_back("probe \"" + probe.name +
                       "\": the pressure at its middle is recorded, not the "
                       "mean over its diameter");
+  }
+  const double frames = c.flow.time.end / c.flow.output_interval;
+  if (std::abs(frames - std::round(frames)) > 1e-6) {
+    notes.push_back(
+        "time.end is no multiple of output.interval: OpenFOAM writes its last frame at " +
+        short_text(std::floor(frames) * c.flow.output_interval) + " s");
+  }
+  for (const Probe& probe : c.flow.probes) {
+    if (!in_edge(c, probe)) continue;
+    notes.push_back(
+        "probe \"" + probe.name +
+        "\": it lies where floor and wall meet, where OpenFOAM records a mean over faces "
+        "half a cell apart; a cell, " +
+        short_text(c.mesh.cell) + " m, from the wall it is exact");
   }
   for (const FluidBlock& block : c.flow.blocks) {
     if (block.shape == FluidBlock::Shape::box) continue;

@@ -35,6 +35,7 @@ struct Settings {
   long pressure_corrections = 3;
   std::string momentum_predictor = "no";
   double pressure_tolerance = 1e-8;
+  double pressure_relative_tolerance = 0.01;
   long processes = 1;
   std::string write_format = "binary";
   std::string write_compression = "off";
@@ -74,6 +75,8 @@ void visit_settings(S&& s, F&& entry) {
   entry("numerics", "momentumPredictor", s.momentum_predictor, Bounds{}, "yes or no");
   entry("numerics", "pressureTolerance", s.pressure_tolerance, positive,
         "absolute residual of p_rgh in the last correction");
+  entry("numerics", "pressureRelTol", s.pressure_relative_tolerance, Bounds::closed(0.0, 1.0),
+        "of the residual in the other corrections; 0: mirrored cases agree to 1e-10");
   entry("running", "nProcs", s.processes, Bounds::closed(1, 65536),
         "processes; Allrun --np N overrides it");
   entry("running", "writeFormat", s.write_format, Bounds{}, "ascii or binary");

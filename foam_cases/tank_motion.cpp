@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <algorithm>
 #include <sstream>
 
 #include "foam_cases/acceleration.hpp"
@@ -80,12 +80,23 @@ std::string motion_table(const FoamCase& c) {
 }
 
 std::vector<std::string> motion_notes(const FoamCase& c) {
-  if (c.flow.motion.kind == TankMotion::Kind::none) return {};
+  std::vector<std::string> notes;
+  if (c.flow.motion.kind == TankMotion::Kind::none) return notes;
   const AccelerationTable table = table_of(c);
-  if (table.jumps() == 0) return {};
-  return {std::to_string(table.jumps()) + " jump" + (table.jumps() > 1 ? "s" : "") +
-          " of the tank's velocity, each spread over the " + number_text(table.jump_time()) +
-          " s that follow it"};
+  if (table.jumps() > 0) {
+    notes.push_back(std::to_string(table.jumps()) + " jump" + (table.jumps() > 1 ? "s" : "") +
+                    " of the tank's velocity, each spread over the " +
+                    short_text(table.jump_time()) + " s that follow it");
+  }
+  const bool open = std::any_of(c.boundaries.begin(), c.boundaries.end(),
+                                [](const Patch& patch) { return patch.kind == Patch::Kind::open; });
+  if (c.flow.motion.kind == TankMotion::Kind::rotation && !open) {
+    notes.emplace_back(
+        "a closed tank that turns: OpenFOAM leaves the forces of the rotation out of the "
+        "pressure's "
+        "slope at walls, and velocities in the cells there are false");
+  }
+  return notes;
 }
 
 }  // namespace surge::foam

@@ -1,0 +1,179 @@
+"""Short runs of cases that surge-foam has made, each held to a number that is known."""
+
+import math
+import sys
+import unittest
+from pathlib import Path
+
+import foam_run
+from foam_run import FoamTest, box, case_text, fastest, internal, last_row, water
+
+G, RHO, AIR = 9.81, 1000.0, 1.0
+
+
+class MadeCases(FoamTest):
+    # p is zero in air at the height of the floor: p(y) = (RHO - AIR) g H - RHO g y in water.
+
+    def test_still_water_around_an_obstacle(self):
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.4, 0.4], "open": ["y+"]},
+            block=[box([0.0, 0.0], [0.1, 0.2]), box([0.2, 0.0], [0.4, 0.2]), box([0.1, 0.1], [0.2, 0.2])],
+            obstacle=[{"lower": [0.1, 0.0], "upper": [0.2, 0.1]}],
+            probe=[{"name": "floor", "position": [0.3, 0.0]}, {"name": "step_side", "position": [0.2, 0.05]}],
+            gauge=[{"name": "middle", "position": [0.2, 0.0]}, {"name": "above", "position": [0.15, 0.0]}],
+            force=[{"on": "x+"}, {"on": "obstacle.0", "name": "step"}])
+        folder, manifest = self.run_case(text, "cellsPerL=10")
+        self.assertLess(fastest(folder, "0.02"), 1e-4)
+        floor = (RHO - AIR) * G * 0.2
+        self.assertAlmostEqual(last_row(folder, "floor", "p")[1] / floor, 1.0, delta=1e-4)
+        side = floor - RHO * G * 0.05
+        self.assertAlmostEqual(last_row(folder, "stepSide", "p")[1] / side, 1.0, delta=1e-3)
+        # Per area of the step; what presses on its two sides is in balance.
+        force = last_row(folder, "stepForce", "force.dat")
+        area = 0.1 * manifest["thickness"]
+        self.assertAlmostEqual(force[2] / area / (RHO * G * 0.1 - floor), 1.0, delta=1e-4)
+        self.assertAlmostEqual(force[1] / area, 0.0, delta=0.1)
+        depth = {gauge["name"]: last_row(folder, gauge["name"], "volFieldValue.dat")[1] / gauge["area"]
+                 for gauge in manifest["case"]["gauges"]}
+        self.assertAlmostEqual(depth["middle"], 0.15, delta=1e-6)  # half of it over the step
+        self.assertAlmostEqual(depth["above"], 0.1, delta=1e-6)
+        case = manifest["case"]
+        self.assertEqual(case["obstacles"], [{"lower": [0.1, 0, 0], "upper": [0.2, 0.1, 0]}])
+        self.assertEqual([f["on"] for f in case["forces"]], ["x+", "obstacle.0"])
+        self.assertEqual(manifest["cells"], 1500)
+
+    def test_still_water_in_three_dimensions_with_gravity_along_z(self):
+        text = case_text(
+            3, fluid=water([0.0, 0.0, -G]),
+            tank={"lower": [-0.1, 0.0, 0.5], "upper": [0.1, 0.1, 0.8], "open": ["z+"], "wall": "no-slip"},
+            block=[box([-0.1, 0.0, 0.5], [0.1, 0.1, 0.6])],
+            probe=[{"name": "floor", "position": [0.0, 0.05, 0.5]}],
+            gauge=[{"name": "level", "position": [0.0, 0.0, 0.0]}], force=[{"on": "y-"}])
+        folder, manifest = self.run_case(text, "L=0.1", "cellsPerL=8")
+        self.assertLess(fastest(folder, "0.02"), 1e-4)
+        floor = (RHO - AIR) * G * 0.1
+        self.assertAlmostEqual(last_row(folder, "floor", "p")[1] / floor, 1.0, delta=1e-4)
+        gauge = manifest["case"]["gauges"][0]
+        self.assertAlmostEqual(last_row(folder, "level", "volFieldValue.dat")[1] / gauge["area"], 0.1, delta=1e-7)
+        # Water from 0 to h, air above it to H, both linear in height.
+        h, H = 0.1, 0.3
+        exact = -0.2 * ((RHO - AIR) * G * h * h - RHO * G * h * h / 2 - AIR * G * (H * H - h * h) / 2)
+        self.assertAlmostEqual(last_row(folder, "backWallForce", "force.dat")[2] / exact, 1.0, delta=1e-4)
+        self.assertEqual(manifest["case"]["tank"]["wall"], "no-slip")
+        self.assertEqual(manifest["case"]["tank"]["open"], ["z+"])
+        self.assertEqual(manifest["case"]["fluid"]["gravity"], [0, 0, -G])
+
+    def test_air_before_an_open_side_stays_at_rest(self):
+        """Water up to the crest of a sill at the open side, seen by two processes."""
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.5], "upper": [0.4, 0.8], "open": ["y+", "x+"]},
+            block=[box([0.0, 0.5], [0.3, 0.6])], obstacle=[{"lower": [0.3, 0.5], "upper": [0.4, 0.6]}])
+        folder, manifest = self.run_case(text, "L=0.1", "cellsPerL=10", processes=2)
+        self.assertLess(fastest(folder, "0.02"), 1e-4)
+        self.assertEqual(manifest["case"]["tank"]["open"], ["x+", "y+"])
+        self.assertEqual(manifest["threads"], 2)
+        self.assertAlmostEqual(manifest["water_volume_change"], 0.0, delta=1e-9)
+
+    def test_a_ball_falls(self):
+        text = case_text(
+            3, fluid=water([0.0, -G, 0.0]),
+            tank={"lower": [-0.1, -0.1, -0.1], "upper": [0.1, 0.2, 0.1], "open": ["y+"]},
+            block=[{"shape": "ball", "lower": [-0.05] * 3, "upper": [0.05] * 3, "velocity": [0.0, 1.0, 0.0]}],
+            time={"end": 0.04}, output={"interval": 0.04})
+        folder, manifest = self.run_case(text, "L=0.4", "cellsPerL=32")
+        middles = [(i + 0.5) * 0.0125 - 0.05 for i in range(8)]
+        cells = sum(x * x + y * y + z * z < 0.05**2 for x in middles for y in middles for z in middles)
+        self.assertAlmostEqual(manifest["water_volume_start"], cells * 0.0125**3, delta=1e-11)
+        self.assertAlmostEqual(manifest["water_volume_stated"], 4 / 3 * math.pi * 0.05**3, delta=1e-12)
+        ball = manifest["case"]["blocks"][0]
+        self.assertEqual((ball["shape"], ball["lower"], ball["velocity"]), ("ball", [-0.05] * 3, [0, 1, 0]))
+        # One block of cells: x runs fastest.
+        alpha = internal(folder, "0.04", "alpha.water")
+        heights = [(k // 16 % 24 + 0.5) * 0.0125 - 0.1 for k in range(len(alpha))]
+        centre = sum(a * y for a, y in zip(alpha, heights)) / sum(alpha)
+        self.assertAlmostEqual(centre, 1.0 * 0.04 - 0.5 * G * 0.04**2, delta=0.15 * 0.0125)
+
+    def test_a_flow_along_a_period_of_a_closed_tank(self):
+        """Nothing stops it: each cell keeps its velocity. No side is open: p is zero at the top."""
+        text = case_text(
+            fluid=water([0.0, -G]),
+            tank={"lower": [0.0, 0.0], "upper": [0.2, 0.1], "periodic": ["x"]},
+            block=[box([0.0, 0.0], [0.2, 0.1], velocity=[0.5, 0.0])],
+            probe=[{"name": "floor", "position": [0.1, 0.0]}])
+        folder, manifest = self.run_case(text, "L=0.1", "cellsPerL=10")
+        for u, v, _ in internal(folder, "0.02", "U"):
+            self.assertAlmostEqual(u, 0.5, delta=1e-6)
+            self.assertAlmostEqual(v, 0.0, delta=1e-6)
+        top = 0.005  # the highest cell's middle
+        self.assertAlmostEqual(last_row(folder, "floor", "p")[1] / (RHO * G * (0.1 - top)), 1.0, delta=1e-4)
+        case = manifest["case"]
+        self.assertEqual((case["tank"]["periodic"], case["tank"]["open"]), (["x"], []))
+        self.assertEqual(case["blocks"][0]["velocity"], [0.5, 0, 0])
+
+    def test_velocities_that_differ_within_a_block(self):
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [1.0, 0.75], "open": ["y+"]},
+            block=[box([0.0, 0.0], [1.0, 0.5], wave_amplitude=0.03,
+                       velocity_gradient=[[-1.0, 2.0], [0.5, 1.0]])],
+            resolution={"spacing": 0.05}, time={"end": 1e-3, "initial_step": 1e-3}, output={"interval": 1e-3})
+        folder, manifest = self.run_case(text, "cellsPerL=20")
+        velocity, alpha = internal(folder, "0", "U"), internal(folder, "0", "alpha.water")
+        block = manifest["case"]["blocks"][0]
+        self.assertEqual(block["velocity_gradient"], [[-1, 2, 0], [0.5, 1, 0], [0, 0, 0]])
+        self.assertEqual(block["wave_amplitude"], 0.03)
+        k, depth = math.pi, math.pi * 0.5
+        scale = 0.03 * math.sqrt(G * k * math.tanh(depth)) / math.sinh(depth)
+        self.assertEqual(len(velocity), 300)
+        for i, (u, v, _) in enumerate(velocity):
+            x, y = (i % 20 + 0.5) * 0.05, (i // 20 + 0.5) * 0.05
+            self.assertEqual(alpha[i], 1.0 if y < 0.5 else 0.0)
+            if y > 0.5:
+                self.assertEqual((u, v), (0.0, 0.0))
+                continue
+            u_exact = -(x - 0.5) + 2 * (y - 0.25) - scale * math.sin(k * x) * math.cosh(k * y)
+            v_exact = 0.5 * (x - 0.5) + (y - 0.25) + scale * math.cos(k * x) * math.sinh(k * y)
+            self.assertAlmostEqual(u, u_exact, delta=1e-6)
+            self.assertAlmostEqual(v, v_exact, delta=1e-6)
+
+    def test_a_column_is_the_same_in_three_dimensions_and_at_the_other_wall(self):
+        L = 0.1
+        tank = {"lower": [0.0, 0.0], "upper": [5 * L, 4 * L], "open": ["y+"]}
+        more = {"time": {"end": 0.15}, "output": {"interval": 0.03}, "fluid": water([0.0, -G])}
+        column = box([0.0, 0.0], [L, 2 * L])
+        foam = ["cellsPerL=10", "pressureTolerance=1e-12", "pressureRelTol=0"]
+        plane, _ = self.run_case(case_text(tank=tank, block=[column], **more), *foam, name="plane")
+        fronts = self.front(plane)[1]
+        self.assertEqual(len(fronts), 6)
+
+        right = box([4 * L, 0.0], [5 * L, 2 * L])
+        mirrored, _ = self.run_case(case_text(tank=tank, block=[right], **more), *foam, name="mirrored")
+        self.assert_same(fronts, self.front(mirrored)[1], 1e-7)
+
+        deep = {"lower": [0.0, 0.0, 0.0], "upper": [5 * L, 4 * L, L], "open": ["y+"]}
+        more["fluid"] = water([0.0, -G, 0.0])
+        column3 = box([0.0, 0.0, 0.0], [L, 2 * L, L])
+        space, manifest = self.run_case(case_text(3, tank=deep, block=[column3], **more), *foam, name="space")
+        self.assertEqual(manifest["cells"], 20 * 10**3)
+        self.assert_same(fronts, self.front(space)[1], 1e-7)
+
+    def assert_same(self, fronts, others, delta):
+        self.assertEqual(len(fronts), len(others))
+        for row, other in zip(fronts, others):
+            for a, b in zip(row.split(","), other.split(",")):
+                self.assertAlmostEqual(float(a), float(b), delta=delta)
+
+    def test_a_wet_bed(self):
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.5, 0.4], "open": ["y+"]},
+            block=[box([0.0, 0.0], [0.1, 0.2]), box([0.1, 0.0], [0.5, 0.02])],
+            gauge=[{"name": "far", "position": [0.45, 0.0]}])
+        folder, manifest = self.run_case(text, "cellsPerL=10")
+        self.assertEqual([b["upper"] for b in manifest["case"]["blocks"]], [[0.1, 0.2, 0], [0.5, 0.02, 0]])
+        self.assertAlmostEqual(manifest["water_volume_start"], (0.02 + 0.008) * 0.1, delta=1e-9)
+        area = manifest["case"]["gauges"][0]["area"]
+        self.assertAlmostEqual(last_row(folder, "far", "volFieldValue.dat")[1] / area, 0.02, delta=1e-5)
+
+
+if __name__ == "__main__":
+    foam_run.BIN = Path(sys.argv.pop(1))
+    unittest.main()
