@@ -55,14 +55,15 @@ AccelerationTable::AccelerationTable(const TankMotion& motion, const Point& grav
   if (motion_.law.kind == ScalarMotion::Kind::table)
     spread_ = std::max(spread_, sample_interval(motion_.law));
   find_jumps(end);
-  const double step = interval(longest_step);
-  const double count = std::ceil(end / step) + 3.0;  // the solver looks at the end of its last step
+  step_ = interval(longest_step);
+  const double count =
+      std::ceil(end / step_) + 3.0;  // the solver looks at the end of its last step
   if (!(count <= most_rows)) {
     throw Error("motion: found a motion that takes " + number_text(count) +
                 " rows of accelerations until time.end, expected at most " +
                 number_text(most_rows));
   }
-  for (double k = 0.0; k < count; ++k) rows_.push_back(row(k * step));
+  for (double k = 0.0; k < count; ++k) rows_.push_back(row(k * step_));
 }
 
 /// What the velocity jumps by, at each time after zero where it does. The integral of a table of
@@ -105,8 +106,12 @@ double AccelerationTable::interval(double longest_step) const {
 // of which OpenFOAM computes the terms in x itself; those of the centre belong to `linear`.
 AccelerationRow AccelerationTable::row(double time) const {
   MotionState q = motion_at(motion_.law, time);
-  for (const Jump& jump : jumps_)
-    if (time >= jump.time && time < jump.time + spread_) q.acceleration += jump.velocity / spread_;
+  // Its mean over the stretch that a row stands for, so that no rounding moves the impulse.
+  const double begin = time - 0.5 * step_, end = time + 0.5 * step_;
+  for (const Jump& jump : jumps_) {
+    const double shared = std::min(end, jump.time + spread_) - std::max(begin, jump.time);
+    q.acceleration += jump.velocity / spread_ * std::max(shared, 0.0) / step_;
+  }
   AccelerationRow found;
   found.time = time;
   const Point& e = motion_.direction;

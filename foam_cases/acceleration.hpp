@@ -41,6 +41,7 @@ class AccelerationTable {
   TankMotion motion_;
   Point gravity_;
   double spread_ = 0.0;
+  double step_ = 0.0;  ///< s, between rows
   std::vector<Jump> jumps_;
   std::vector<AccelerationRow> rows_;
 };

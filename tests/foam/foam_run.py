@@ -5,11 +5,22 @@ import json
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 BIN = Path()  # of the build, set by main()
+
+
+def main():
+    """Arguments: the folder of the programs, then what unittest takes. 77: skipped, no OpenFOAM."""
+    global BIN
+    BIN = Path(sys.argv.pop(1)).resolve()
+    if shutil.which("interFoam") is None:
+        print("skipped: interFoam not found")
+        sys.exit(77)
+    unittest.main(module="__main__")
 
 
 def toml(value):
@@ -39,8 +50,6 @@ class FoamTest(unittest.TestCase):
     """Makes cases in a folder that is gone afterwards."""
 
     def setUp(self):
-        if shutil.which("interFoam") is None:
-            self.skipTest("interFoam not found")
         self.scratch = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.scratch)
 

@@ -1,9 +1,6 @@
 """Short runs of cases that surge-foam has made, each held to a number that is known."""
 
 import math
-import sys
-import unittest
-from pathlib import Path
 
 import foam_run
 from foam_run import FoamTest, box, case_text, fastest, internal, last_row, water
@@ -175,5 +172,4 @@ class MadeCases(FoamTest):
 
 
 if __name__ == "__main__":
-    foam_run.BIN = Path(sys.argv.pop(1))
-    unittest.main()
+    foam_run.main()
