@@ -53,6 +53,9 @@ class FoamTest(unittest.TestCase):
         self.scratch = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.scratch)
 
+    def call(self, program, *arguments):
+        return subprocess.run([BIN / program, *arguments], capture_output=True, text=True)
+
     def make(self, text, *foam, name="case", sets=()):
         """The folder of the case."""
         file = self.scratch / f"{name}.toml"

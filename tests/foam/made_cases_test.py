@@ -175,6 +175,31 @@ class MadeCases(FoamTest):
         area = manifest["case"]["gauges"][0]["area"]
         self.assertAlmostEqual(last_row(folder, "far", "volFieldValue.dat")[1] / area, 0.02, delta=1e-5)
 
+    def test_both_sides_state_the_same_case(self):
+        """The comparator finds no difference of physics, until there is one."""
+        tables = dict(
+            fluid=water([0.0, -G], kinematic_viscosity=1e-6),
+            tank={"lower": [0.0, 0.0], "upper": [0.5, 0.5], "open": ["y+"], "wall": "no-slip"},
+            block=[box([0.0, 0.0], [0.1, 0.2], velocity=[0.1, 0.0]),
+                   {"shape": "ball", "lower": [0.2, 0.3], "upper": [0.3, 0.4]}],
+            obstacle=[{"lower": [0.4, 0.0], "upper": [0.5, 0.1]}],
+            method={"name": "mps", "preset": "paper"})
+        file = self.scratch / "both.toml"
+        file.write_text(case_text(**tables))
+        particles = self.scratch / "particles"
+        done = self.call("surge-particle", "run", file, "--out", particles)
+        self.assertEqual(0, done.returncode, done.stderr)
+        folder, _ = self.run_case(case_text(**tables), "cellsPerL=10", name="same")
+        compared = ["--reference", folder, "--out", self.scratch / "metrics.json"]
+        done = self.call("surge-compare", "metrics", particles, *compared)
+        self.assertEqual(0, done.returncode, done.stderr)
+        tables["obstacle"][0]["lower"] = [0.42, 0.0]
+        folder, _ = self.run_case(case_text(**tables), "cellsPerL=10", name="other")
+        compared[1] = folder
+        done = self.call("surge-compare", "metrics", particles, *compared)
+        self.assertNotEqual(0, done.returncode)
+        self.assertIn("obstacles: 1, 1 of them not in other", done.stderr)
+
 
 if __name__ == "__main__":
     foam_run.main()
