@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "foam_cases/gates.hpp"
+
 #include "particle/case/scales.hpp"
 #include "particle/support/bounds.hpp"
 
@@ -92,6 +94,13 @@ std::string reference_height(const FoamCase& c) {
          ";   // m, against gravity: of the floor\n";
 }
 
+/// constant/fvOptions: what acts on the flow besides gravity; empty where there is nothing.
+std::string options(const FoamCase& c) {
+  const std::string entries = tank_motion(c) + gate_options(c);
+  if (entries.empty()) return {};
+  return header("dictionary", "fvOptions") + "\n#include \"../system/caseParameters\"\n" + entries;
+}
+
 Values values_of(const FoamCase& c) {
   Values values;
   values["case_file"] = comment(c.source);
@@ -130,7 +139,8 @@ Files case_files(const FoamCase& c) {
   files["system/setFieldsDict"] = set_fields(c);
   const Files perhaps{{"system/setExprFieldsDict", set_expressions(c)},
                       {"system/topoSetDict", topo_set(c)},
-                      {"constant/fvOptions", tank_motion(c)},
+                      {"constant/fvOptions", options(c)},
+                      {"constant/movingWalls", moving_walls(c)},
                       {"constant/tankMotion", motion_table(c)},
                       {"constant/hRef", reference_height(c)}};
   for (const auto& [path, text] : perhaps)

@@ -23,7 +23,9 @@ struct FoamCase {
 [[nodiscard]] std::string set_fields(const FoamCase& c);
 /// system/setExprFieldsDict: velocities that differ within a block; empty where there are none.
 [[nodiscard]] std::string set_expressions(const FoamCase& c);
-/// system/topoSetDict: the columns of cells of the gauges; empty where there are none.
+/// Actions of topoSetDict that make a zone of the cells in a box.
+[[nodiscard]] std::string zone_actions(const std::string& zone, const Box& box);
+/// system/topoSetDict: cells of gauges and gates; empty where there are none.
 [[nodiscard]] std::string topo_set(const FoamCase& c);
 /// Function objects of controlDict: probes, gauges, forces.
 [[nodiscard]] std::string instruments(const FoamCase& c);
@@ -34,7 +36,8 @@ void check_records(const FoamCase& c);
 [[nodiscard]] std::string alpha_boundaries(const FoamCase& c);
 [[nodiscard]] std::string pressure_boundaries(const FoamCase& c);
 
-/// constant/fvOptions: the motion of the tank as a body acceleration; empty where it is at rest.
+/// The entry of fvOptions: the motion of the tank as a body acceleration; empty where it is at
+/// rest.
 [[nodiscard]] std::string tank_motion(const FoamCase& c);
 /// constant/tankMotion: the table that fvOptions names.
 [[nodiscard]] std::string motion_table(const FoamCase& c);

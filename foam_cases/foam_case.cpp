@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "foam_cases/gates.hpp"
 #include "foam_cases/size.hpp"
 #include "particle/case/case_checks.hpp"
 #include "particle/case/case_file.hpp"
@@ -53,12 +54,19 @@ void check_supported(const Case& c, const TomlTable& root) {
   if (!c.has_tank)
     throw root.error("tank", "no tank",
                      "a [tank] (a mesh ends somewhere), with open sides perhaps");
-  if (!c.moving_walls.empty()) {
-    throw root.tables("moving_wall")[0].error(
-        "name", '"' + c.moving_walls[0].name + "\", a wall that moves through the mesh",
-        "a case without [[moving_wall]]: surge-foam makes meshes that keep their shape; a tank "
-        "that "
-        "moves as a whole is [motion]");
+  for (std::size_t i = 0; i < c.moving_walls.size(); ++i) {
+    const std::string fault = gate_fault(c, c.moving_walls[i]);
+    if (fault.empty()) continue;
+    throw root.tables("moving_wall")[i].error("direction", fault,
+                                              "a gate: along an axis, and at least 3 times as long "
+                                              "in its direction as thick (a mesh whose "
+                                              "walls push water, as a piston does, is not made; a "
+                                              "tank that moves as a whole is [motion])");
+  }
+  for (std::size_t i = 0; i < c.forces.size(); ++i) {
+    if (c.forces[i].of == ForceSurface::Of::moving_wall)
+      throw root.tables("force")[i].error("on", "a moving wall, of which the mesh has no surface",
+                                          "a side or an obstacle");
   }
   for (std::size_t a = 0; a < 3; ++a) {
     if (c.gravity[a] == 0.0 || !c.tank.periodic[a]) continue;
@@ -133,6 +141,11 @@ std::vector<std::string> notes_on(const FoamCase& c) {
       notes.push_back("probe \"" + probe.name +
                       "\": the pressure at its middle is recorded, not the "
                       "mean over its diameter");
+  }
+  for (const MovingWall& wall : c.flow.moving_walls) {
+    notes.push_back(
+        "moving wall \"" + wall.name + "\": " + std::to_string(gate_rows(c, wall).size()) +
+        " rows of cells stop the flow while it is there; it neither pushes nor drags water");
   }
   const double frames = c.flow.time.end / c.flow.output_interval;
   if (std::abs(frames - std::round(frames)) > 1e-6) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "foam_cases/case_files.hpp"
+#include "foam_cases/gates.hpp"
 #include "particle/case/enum_names.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
@@ -169,24 +170,20 @@ void check_records(const FoamCase& c) {
   }
 }
 
+std::string zone_actions(const std::string& zone, const Box& box) {
+  return "    { name " + zone + "Set; type cellSet; action new; source boxToCell;\n      box " +
+         vector_text(box.lower) + " " + vector_text(box.upper) + "; }\n    { name " + zone +
+         "; type cellZoneSet; action new; source setToCellZone; set " + zone + "Set; }\n";
+}
+
 std::string topo_set(const FoamCase& c) {
-  if (c.flow.gauges.empty()) return {};
-  std::ostringstream out;
-  out << header("dictionary", "topoSetDict")
-      << "\n// The cells above and below each gauge.\nactions\n(\n";
-  for (const Gauge& gauge : c.flow.gauges) {
-    const Box box = column(c, gauge);
-    out << "    {\n        name    " << zone(gauge)
-        << "Set;\n        type    cellSet;\n        action  new;\n        source  boxToCell;\n"
-           "        box     "
-        << vector_text(box.lower) << " " << vector_text(box.upper)
-        << ";\n    }\n    {\n        name    " << zone(gauge)
-        << ";\n        type    cellZoneSet;\n        action  new;\n        source  setToCellZone;\n"
-           "        set     "
-        << zone(gauge) << "Set;\n    }\n";
-  }
-  out << ");\n";
-  return out.str();
+  std::string actions;
+  for (const Gauge& gauge : c.flow.gauges) actions += zone_actions(zone(gauge), column(c, gauge));
+  actions += gate_zones(c);
+  if (actions.empty()) return {};
+  return header("dictionary", "topoSetDict") +
+         "\n// Cells above and below each gauge; rows of cells that gates pass.\nactions\n(\n" +
+         actions + ");\n";
 }
 
 }  // namespace surge::foam

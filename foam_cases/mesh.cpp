@@ -72,6 +72,8 @@ class Builder {
     }
     for (std::size_t i = 0; i < case_.obstacles.size(); ++i)
       f(case_.obstacles[i].lower[a], case_.obstacles[i].upper[a], "obstacle." + std::to_string(i));
+    for (const MovingWall& wall : case_.moving_walls)
+      f(wall.box.lower[a], wall.box.upper[a], wall.name);
   }
 
   /// Faces along an axis in increasing order, those of the tank first and last.

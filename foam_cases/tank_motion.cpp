@@ -3,6 +3,7 @@
 
 #include "foam_cases/acceleration.hpp"
 #include "foam_cases/case_files.hpp"
+#include "foam_cases/laws.hpp"
 #include "particle/case/enum_names.hpp"
 #include "particle/support/bounds.hpp"
 
@@ -14,48 +15,12 @@ AccelerationTable table_of(const FoamCase& c) {
   return {c.flow.motion, c.flow.gravity, c.flow.time.end, c.settings.maximum_step};
 }
 
-void write_entry(std::ostream& out, const std::string& key, const std::string& value) {
-  out << "        " << key << std::string(16 - std::min<std::size_t>(key.size(), 15), ' ') << value
-      << ";\n";
-}
-
-/// The law as the case states it, entry by entry.
-void write_law(std::ostream& out, const TankMotion& motion) {
-  const ScalarMotion& law = motion.law;
-  const auto number = [&](const char* key, double value) {
-    write_entry(out, key, number_text(value));
-  };
-  write_entry(out, "kind", std::string(name_of(motion.kind)));
-  write_entry(out, "direction", vector_text(motion.direction));
-  if (motion.kind == TankMotion::Kind::rotation)
-    write_entry(out, "centre", vector_text(motion.centre));
-  write_entry(out, "law", std::string(name_of(law.kind)));
-  if (law.kind == ScalarMotion::Kind::harmonic) {
-    number("amplitude", law.amplitude);
-    number("period", law.period);
-    number("phase", law.phase);
-    number("ramp", law.ramp);
-    number("start", law.start);
-  } else if (law.kind == ScalarMotion::Kind::constant) {
-    number("speed", law.speed);
-    number("start", law.start);
-    number("stop", law.stop);
-  } else {
-    write_entry(out, "quantity", std::string(name_of(law.quantity)));
-    std::string samples = "(";
-    for (const auto& sample : law.samples)
-      samples += "\n            (" + number_text(sample[0]) + " " + number_text(sample[1]) + ")";
-    write_entry(out, "samples", samples + "\n        )");
-  }
-}
-
 }  // namespace
 
 std::string tank_motion(const FoamCase& c) {
   if (c.flow.motion.kind == TankMotion::Kind::none) return {};
   std::ostringstream out;
-  out << header("dictionary", "fvOptions")
-      << "\n// The tank moves, and the flow is computed in its frame: g of constant/g is what acts "
+  out << "\n// The tank moves, and the flow is computed in its frame: g of constant/g is what acts "
          "at rest,\n"
          "// and the table holds what the motion adds, row by row\n"
          "//     (time (linear acceleration, angular velocity, angular acceleration)).\n"
@@ -63,7 +28,11 @@ std::string tank_motion(const FoamCase& c) {
          "yes;\n"
          "    timeDataFileName \"<constant>/tankMotion\";\n    CofG            (0 0 0);\n\n"
          "    // What the table was made from, for manifest.json.\n    stated\n    {\n";
-  write_law(out, c.flow.motion);
+  write_entry(out, "kind", std::string(name_of(c.flow.motion.kind)));
+  write_entry(out, "direction", vector_text(c.flow.motion.direction));
+  if (c.flow.motion.kind == TankMotion::Kind::rotation)
+    write_entry(out, "centre", vector_text(c.flow.motion.centre));
+  write_law(out, c.flow.motion.law);
   out << "    }\n}\n";
   return out.str();
 }

@@ -50,8 +50,9 @@ void write_case(const Files& files, const fs::path& folder, bool over) {
                     ": found a folder without system/caseParameters, expected a case that "
                     "surge-foam has made");
       // What only the earlier case had would be taken for part of this one.
-      for (const char* name : {"system/setExprFieldsDict", "system/topoSetDict",
-                               "constant/fvOptions", "constant/tankMotion", "constant/hRef"})
+      for (const char* name :
+           {"system/setExprFieldsDict", "system/topoSetDict", "constant/fvOptions",
+            "constant/tankMotion", "constant/hRef", "constant/movingWalls"})
         fs::remove(folder / name);
       write_files(files, folder);
       return;

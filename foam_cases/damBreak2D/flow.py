@@ -252,23 +252,37 @@ def stated_volume(mesh, water, solids):
 # --- motion and instruments ------------------------------------------------------------------------
 
 
-def motion():
-    path = pathlib.Path("constant/fvOptions")
-    if not path.exists():
-        return None
-    options = {k: v for k, v in dictionary(str(path)).items() if k != "FoamFile"}
-    if set(options) != {"tankMotion"}:
-        fail(str(path), ", ".join(options), "tankMotion alone")
+def law(body):
+    """A law of motion and what moves by it, as the case states it."""
     stated = {}
-    for key, value in options["tankMotion"]["stated"].items():
+    for key, value in body.items():
         values = numbers(value)
-        if key in ("kind", "law", "quantity"):
-            stated[key] = value
+        if key in ("kind", "law", "quantity", "name"):
+            stated[key] = value.strip('"')
         elif key == "samples":
             stated[key] = [list(pair) for pair in zip(values[::2], values[1::2])]
         else:
             stated[key] = values if len(values) == 3 else values[0]
     return stated
+
+
+def entries(path):
+    """Entries of a dictionary that a case may have, by name."""
+    if not pathlib.Path(path).exists():
+        return {}
+    return {k: v for k, v in dictionary(path).items() if isinstance(v, dict) and k != "FoamFile"}
+
+
+def motions():
+    """Motion of the tank (None where it is at rest) and walls that move, held to fvOptions."""
+    options, walls = entries("constant/fvOptions"), entries("constant/movingWalls")
+    rows = {name for name, body in options.items() if body["type"] == "explicitPorositySource"}
+    others = set(options) - rows - {"tankMotion"}
+    if others or bool(rows) != bool(walls):
+        fail("constant/fvOptions", ", ".join(sorted(options)) or "nothing",
+             "the tankMotion and the gates of constant/movingWalls, and nothing else")
+    moved = law(options["tankMotion"]["stated"]) if "tankMotion" in options else None
+    return moved, [law(body) for body in walls.values()]
 
 
 def instruments(mesh):
@@ -295,12 +309,13 @@ def instruments(mesh):
 def flow(mesh):
     """Those entries of a manifest's case that say where things are, and the volume of water in m3."""
     water, solids = blocks(mesh), obstacles(mesh)
+    moved, walls = motions()
     stated = {
         "tank": tank(mesh),
         "blocks": water,
         "obstacles": [{"lower": mesh.point(a), "upper": mesh.point(b)} for a, b in solids],
-        "motion": motion(),
-        "moving_walls": [],
+        "motion": moved,
+        "moving_walls": walls,
         **instruments(mesh),
     }
     return stated, stated_volume(mesh, water, solids)

@@ -87,10 +87,15 @@ class FoamTest(unittest.TestCase):
         return rows[0], rows[1:]
 
 
+def all_rows(folder, record, file):
+    """Numbers of all lines that a function object has written."""
+    lines = (folder / "postProcessing" / record / "0" / file).read_text().splitlines()
+    return [[float(x) for x in re.findall(r"[-+]?[\d.]+(?:e[-+]?\d+)?", line)]
+            for line in lines if not line.startswith("#")]
+
+
 def last_row(folder, record, file):
-    """Numbers of the last line that a function object has written."""
-    line = (folder / "postProcessing" / record / "0" / file).read_text().splitlines()[-1]
-    return [float(x) for x in re.findall(r"[-+]?[\d.]+(?:e[-+]?\d+)?", line)]
+    return all_rows(folder, record, file)[-1]
 
 
 def internal(folder, time, field):

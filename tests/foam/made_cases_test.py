@@ -3,7 +3,7 @@
 import math
 
 import foam_run
-from foam_run import FoamTest, box, case_text, fastest, internal, last_row, water
+from foam_run import FoamTest, all_rows, box, case_text, fastest, internal, last_row, water
 
 G, RHO, AIR = 9.81, 1000.0, 1.0
 
@@ -174,6 +174,50 @@ class MadeCases(FoamTest):
         self.assertAlmostEqual(manifest["water_volume_start"], (0.02 + 0.008) * 0.1, delta=1e-9)
         area = manifest["case"]["gauges"][0]["area"]
         self.assertAlmostEqual(last_row(folder, "far", "volFieldValue.dat")[1] / area, 0.02, delta=1e-5)
+
+    def gated(self, **law):
+        """A column behind a gate, its run until 0.1 s: rows of pressure and of the level before the gate."""
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.5, 0.4], "open": ["y+"]},
+            block=[box([0.0, 0.0], [0.1, 0.2])],
+            moving_wall=[{"name": "gate", "lower": [0.1, 0.0], "upper": [0.12, 0.3], "direction": [0.0, 1.0],
+                          "law": "constant", "stop": 9.0, **law}],
+            probe=[{"name": "behind", "position": [0.05, 0.0]}],
+            gauge=[{"name": "before", "position": [0.135, 0.0]}], time={"end": 0.1}, output={"interval": 0.1})
+        folder, manifest = self.run_case(text, "cellsPerL=10", name=f"gate{len(list(self.scratch.iterdir()))}")
+        area = manifest["case"]["gauges"][0]["area"]
+        pressures = all_rows(folder, "behind", "p")
+        levels = [[t, v / area] for t, v in all_rows(folder, "before", "volFieldValue.dat")]
+        return pressures, levels, manifest
+
+    def test_a_gate_holds_the_water_until_it_is_lifted(self):
+        pressures, levels, manifest = self.gated(speed=1.0, start=0.05)
+        exact = (RHO - AIR) * G * 0.2
+        for (t, p), (_, level) in zip(pressures, levels):
+            if 0.01 < t < 0.05:
+                self.assertAlmostEqual(p / exact, 1.0, delta=1e-3)
+            if t < 0.05:
+                self.assertAlmostEqual(level, 0.0, delta=1e-9)
+        # Its lower edge is 50 mm up: the floor is free, and the water above it is still held.
+        self.assertLess(pressures[-1][1], 0.6 * exact)
+        self.assertGreater(levels[-1][1], 1e-3)
+        stated = manifest["case"]["moving_walls"]
+        self.assertEqual(stated, [{"name": "gate", "lower": [0.1, 0, 0], "upper": [0.12, 0.3, 0],
+                                   "direction": [0, 1, 0], "law": "constant", "speed": 1, "start": 0.05, "stop": 9}])
+
+    def test_a_gate_that_is_gone_at_once_is_none(self):
+        """A column starts 20 mm before the place of a gate; the level beyond it is that without a gate."""
+        _, lifted, _ = self.gated(speed=1e4)
+        _, never, _ = self.gated(speed=1.0, start=5.0)
+        free = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.5, 0.4], "open": ["y+"]},
+            block=[box([0.0, 0.0], [0.1, 0.2])], gauge=[{"name": "before", "position": [0.135, 0.0]}],
+            time={"end": 0.1}, output={"interval": 0.1})
+        folder, manifest = self.run_case(free, "cellsPerL=10", name="free")
+        level = last_row(folder, "before", "volFieldValue.dat")[1] / manifest["case"]["gauges"][0]["area"]
+        self.assertGreater(level, 0.02)
+        self.assertAlmostEqual(lifted[-1][1] / level, 1.0, delta=0.02)
+        self.assertAlmostEqual(never[-1][1], 0.0, delta=1e-9)
 
     def test_both_sides_state_the_same_case(self):
         """The comparator finds no difference of physics, until there is one."""
