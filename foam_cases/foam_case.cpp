@@ -117,6 +117,7 @@ FoamCase checked(const TomlTable& root, const std::string& source,
   check_connected(made.flow, made.mesh);
   made.boundaries = patches(made.flow, made.mesh, Vertices(made.mesh));
   check_records(made);
+  for (const MovingWall& wall : made.flow.moving_walls) static_cast<void>(gate_rows(made, wall));
   check_size(case_size(made), available_memory());
   return made;
 }

@@ -159,6 +159,7 @@ void check_records(const FoamCase& c) {
   };
   for (const Probe& probe : c.flow.probes) add(word(probe.name), probe.name);
   for (const Gauge& gauge : c.flow.gauges) add(word(gauge.name), gauge.name);
+  for (const MovingWall& wall : c.flow.moving_walls) add(word(wall.name) + "Row", wall.name);
   for (const ForceSurface& force : c.flow.forces) {
     add(force_record(c, force), force.name);
     const std::string patch = force_patch(c, force);

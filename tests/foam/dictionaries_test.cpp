@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "compare/read/foam_dictionary.hpp"
+#include "foam_cases/gates.hpp"
 #include "tests/foam/foam_fixture.hpp"
 
 namespace surge::foam {
@@ -103,16 +104,48 @@ TEST_F(Dictionaries, MeshStatesItsObstaclesAndItsCells) {
       read("system/caseParameters").has("cellsPerL"));  // to change it would change nothing
 }
 
+TEST_F(Dictionaries, RowsOfAGateOpenAsItsLowerEdgePassesThem) {
+  std::string text = test::small_case;
+  text +=
+      "[[moving_wall]]\nname = \"my gate\"\nlower = [0.1, 0.0]\nupper = [0.12, 0.3]\n"
+      "direction = [0.0, 1.0]\nlaw = \"constant\"\nspeed = 2.0\nstart = 0.005\nstop = 0.3\n";
+  const FoamCase c = made({"cellsPerL=10"}, {}, text);
+  const std::vector<GateRow> rows = gate_rows(c, c.flow.moving_walls[0]);
+  ASSERT_EQ(rows.size(), 33U);  // 30 of its own, and 3 that it reaches until the end
+  EXPECT_NEAR(rows[0].until, 0.005 + 0.005 / 2.0, 2e-6);
+  EXPECT_NEAR(rows[2].until, 0.005 + 0.025 / 2.0, 2e-6);
+  EXPECT_GT(rows[29].until, 0.02);
+  EXPECT_EQ(rows[29].from, 0.0);
+  EXPECT_NEAR(rows[30].from, 0.005 + 0.005 / 2.0, 2e-6);
+  EXPECT_NEAR(rows[3].box.lower[1], 0.03, 1e-12);
+  EXPECT_EQ(rows[3].box.lower[0], 0.1);
+  write(c);
+  const FoamDictionary options = read("constant/fvOptions");
+  const auto& row = options.dictionary("myGateRow2").dictionary("explicitPorositySourceCoeffs");
+  EXPECT_NEAR(row.number("duration"), 0.0175, 2e-6);
+  EXPECT_EQ(row.number("rhoRef"), 1000.0);
+  EXPECT_EQ(read("constant/movingWalls").dictionary("wall0").number("speed"), 2.0);
+}
+
 TEST_F(Dictionaries, WhatVofDoesNotComputeIsRefusedInOneLine) {
   EXPECT_THAT(refusal({}, {"tank.periodic=[\"y\"]", "tank.open=[]"}),
               HasSubstr("fluid.gravity: found -9.81 m/s2 along a periodic axis"));
+  const auto wall = [](const std::string& lines) {
+    return std::string(test::small_case) + "[[moving_wall]]\nname = \"gate\"\n" + lines;
+  };
+  const std::string plate = "lower = [0.1, 0.0]\nupper = [0.12, 0.3]\n";
+  const std::string steady = "law = \"constant\"\nspeed = 1.0\nstop = 0.3\n";
+  EXPECT_THAT(
+      refusal({}, {}, wall(plate + "direction = [1.0, 0.0]\n" + steady)),
+      HasSubstr("moving_wall.0.direction: found a wall 0.02 m long in its direction and 0.3 m "
+                "thick, which pushes water, expected a gate"));
+  const std::string up = plate + "direction = [0.0, 1.0]\n";
+  EXPECT_THAT(refusal({}, {}, wall(up + "law = \"harmonic\"\namplitude = 0.2\nperiod = 0.01\n")),
+              HasSubstr("expected a gate that passes each place once"));
+  EXPECT_EQ(refusal({}, {}, wall(up + steady)), "made");
+  EXPECT_THAT(refusal({}, {}, wall(up + steady + "[[force]]\non = \"gate\"\n")),
+              HasSubstr("force.0.on: found a moving wall"));
   std::string text = test::small_case;
-  text +=
-      "[[moving_wall]]\nname = \"gate\"\nlower = [0.1, 0.0]\nupper = [0.12, 0.3]\n"
-      "direction = [0.0, 1.0]\nlaw = \"constant\"\nspeed = 1.0\nstop = 0.3\n";
-  EXPECT_THAT(refusal({}, {}, text),
-              HasSubstr("moving_wall.0.name: found \"gate\", a wall that moves"));
-  text = test::small_case;
   const auto begin = text.find("[tank]");
   text.erase(begin, text.find("[[block]]") - begin);
   EXPECT_THAT(refusal({}, {}, text), HasSubstr("found no tank"));

@@ -123,7 +123,7 @@ TEST(Mesh, DangerousSizesAreRefusedWithNumbers) {
   EXPECT_THAT(refusal({"cellsPerL=100000"}),
               HasSubstr("found 1.6e+11 cells, expected at most 2e+09"));
   EXPECT_THAT(refusal({"cellsPerL=10000"}),
-              AllOf(HasSubstr("a mesh of 1.5e+09 cells, which take about 3 TB"),
+              AllOf(HasSubstr("a mesh of 1.5e+09 cells, which take about 2.6 TB"),
                     HasSubstr("memory of this machine")));
   const CaseSize size = case_size(made({"cellsPerL=10"}));
   EXPECT_EQ(size.cells, 1500);
