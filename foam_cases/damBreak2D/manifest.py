@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/env -S python3 -B
 """Writes manifest.json: what this case has run, read from its dictionaries and logs, and how long.
 
 Run by Allrun after the last step. The file appears whole or not at all, and only for a run that
@@ -11,35 +11,12 @@ import os
 import pathlib
 import platform
 import re
-import subprocess
 
-
-def entry(dictionary, key):
-    """The value of an entry as text, after all macros are expanded."""
-    command = ["foamDictionary", "-entry", key, "-value", dictionary]
-    answer = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if answer.returncode != 0:
-        raise SystemExit(f"manifest.py: {dictionary}: {key}: {' '.join(answer.stdout.split())}")
-    return answer.stdout.strip()
-
-
-def numbers(text):
-    """All numbers of a text; whole ones without a decimal point."""
-    found = [float(x) for x in re.findall(r"(?<![\w.])[-+]?\d[\d.]*(?:e[-+]?\d+)?", text)]
-    return [int(x) if x.is_integer() and abs(x) < 1e15 else x for x in found]
-
-
-def number(dictionary, key):
-    return numbers(entry(dictionary, key))[0]
-
-
-def flat(point):
-    """A point of the case in two dimensions: the mesh is one cell thick."""
-    return [round(point[0], 12), round(point[1], 12), 0]
+from flow import Mesh, dictionary, entry, flow, log, number, numbers, short
 
 
 def seconds(*names):
-    """Wall seconds that these steps of Allrun took; a serial run has fewer of them."""
+    """Wall seconds that these steps of Allrun took; a case has not all of them."""
     total = 0.0
     for name in names:
         marker = pathlib.Path(".steps", name)
@@ -67,150 +44,107 @@ def processor_name():
     return platform.machine()
 
 
-def water_regions():
-    """Boxes that setFields fills with water, in its order: [lower, upper] each.
-
-    What it cannot state as boxes of water is refused: a manifest must hold all that was in the case.
-    """
-    text = entry("system/setFieldsDict", "regions")
-    found = re.findall(r"(\w+)\s*\{([^{}]*)\}", text)
-    if not found:
-        raise SystemExit("manifest.py: system/setFieldsDict: regions: found none, expected at least one")
-    boxes = []
-    for name, body in found:
-        where = f"manifest.py: system/setFieldsDict: regions: {name}"
-        if name != "boxToCell":
-            raise SystemExit(f"{where}: found a region of this kind, expected boxToCell")
-        box = re.search(r"\bbox\s*(\([^()]*\)\s*\([^()]*\))", body)
-        values = re.findall(r"volScalarFieldValue\s+alpha\.water\s+([^\s()]+)", body)
-        if not box or len(numbers(box[1])) != 6 or values != ["1"]:
-            raise SystemExit(f"{where}: found {' '.join(body.split())}, expected a box with alpha.water 1")
-        corners = numbers(box[1])
-        boxes.append((corners[:3], corners[3:]))
-    return boxes
-
-
-def covered_area(blocks):
-    """Area of the union of boxes in the plane: what two of them share counts once."""
-    def edges(axis):
-        return sorted({block[end][axis] for block in blocks for end in ("lower", "upper")})
-
-    def is_in(block, x, y):
-        return (block["lower"][0] < x < block["upper"][0]) and (block["lower"][1] < y < block["upper"][1])
-
-    xs, ys = edges(0), edges(1)
-    return sum((right - left) * (top - bottom)
-               for left, right in zip(xs, xs[1:]) for bottom, top in zip(ys, ys[1:])
-               if any(is_in(block, (left + right) / 2, (bottom + top) / 2) for block in blocks))
-
-
-def geometry():
-    """Tank and water, from the mesh and the dictionary that filled it."""
-    mesh = pathlib.Path("log.blockMesh").read_text()
-    box = numbers(re.search(r"boundingBox: (.*)", mesh)[1])
-    wall = entry("0.orig/U", "boundaryField/floor/type")
-    tank = {
-        "lower": flat(box[:3]),
-        "upper": flat(box[3:]),
-        "open": ["y+"],
-        "periodic": [],
-        "wall": {"slip": "slip", "noSlip": "no-slip"}[wall],
-    }
-    blocks = []
-    for region_lower, region_upper in water_regions():
-        lower = [max(a, b) for a, b in zip(box[:3], region_lower)]
-        upper = [min(a, b) for a, b in zip(box[3:], region_upper)]
-        if all(a < b for a, b in zip(lower, upper)):
-            blocks.append({"shape": "box", "lower": flat(lower), "upper": flat(upper),
-                           "velocity": [0, 0, 0]})
-    if not blocks:
-        raise SystemExit("manifest.py: system/setFieldsDict: regions: found no water inside the mesh")
-    return tank, blocks, int(re.search(r"nCells: (\d+)", mesh)[1])
+def cell_size():
+    """Width of a cell that has not grown, m."""
+    mesh = dictionary("system/blockMeshDict")
+    if "cellSize" in mesh:
+        return numbers(mesh["cellSize"])[0]
+    return numbers(mesh["scale"])[0] / number("system/caseParameters", "cellsPerL")
 
 
 def method(solver):
     """The numerical choices, each as the solver has read it."""
     schemes, solution, control = "system/fvSchemes", "system/fvSolution", "system/controlDict"
-    alpha = "solvers/alpha.water.*/"
+    alpha = 'solvers|"alpha.water.*"|'
     chosen = {
-        "ddt": entry(schemes, "ddtSchemes/default"),
-        "div_U": entry(schemes, "divSchemes/div(rhoPhi,U)"),
+        "ddt": entry(schemes, "ddtSchemes|default"),
+        "div_U": entry(schemes, "divSchemes|div(rhoPhi,U)"),
         "alpha_corrections": number(solution, alpha + "nAlphaCorr"),
         "alpha_sub_cycles": number(solution, alpha + "nAlphaSubCycles"),
-        "pressure_corrections": number(solution, "PIMPLE/nCorrectors"),
-        "momentum_predictor": entry(solution, "PIMPLE/momentumPredictor"),
-        "pressure_tolerance": number(solution, "solvers/p_rghFinal/tolerance"),
+        "pressure_corrections": number(solution, "PIMPLE|nCorrectors"),
+        "momentum_predictor": entry(solution, "PIMPLE|momentumPredictor"),
+        "pressure_tolerance": number(solution, "solvers|p_rghFinal|tolerance"),
         "alpha_courant": number(control, "maxAlphaCo"),
     }
     if solver == "interFoam":
-        chosen["div_alpha"] = entry(schemes, "divSchemes/div(phi,alpha)")
+        chosen["div_alpha"] = entry(schemes, "divSchemes|div(phi,alpha)")
         chosen["c_alpha"] = number(solution, alpha + "cAlpha")
     return chosen
 
 
-def manifest():
+def case(mesh, stated, solver):
+    """The case, in the words of a case file of surge-particle; see its manifest."""
     control, transport = "system/controlDict", "constant/transportProperties"
-    solver = entry(control, "application")
-    log = pathlib.Path(f"log.{solver}").read_text()
-    tank, blocks, cells = geometry()
-    end = number(control, "endTime")
-    simulated = numbers("\n".join(re.findall(r"^Time = (.*)", log, re.M)))
-    processes = re.search(r"^nProcs : (\d+)", log, re.M)
+    size = cell_size()
+    first = stated["blocks"][0]
+    return {
+        "title": entry(control, "title").strip('"'),
+        "dimension": mesh.dimension,
+        "spacing": short(size),
+        "cells_per_L": short((first["upper"][0] - first["lower"][0]) / size, 9),
+        "fluid": {
+            "density": number(transport, "water|rho"),
+            "kinematic_viscosity": number(transport, "water|nu"),
+            "gravity": numbers(entry("constant/g", "value")),
+        },
+        "gas": {
+            "density": number(transport, "air|rho"),
+            "kinematic_viscosity": number(transport, "air|nu"),
+        },
+        "surface_tension": number(transport, "sigma"),
+        **stated,
+        "time": {
+            "end": number(control, "endTime"),
+            "initial_step": number(control, "deltaT"),
+            "maximum_step": number(control, "maxDeltaT"),
+            "courant": number(control, "maxCo"),
+        },
+        "output": {"interval": number(control, "writeInterval")},
+        "method": {"name": "vof", "preset": stated["tank"]["wall"], "parameters": method(solver)},
+    }
+
+
+def manifest():
+    solver = entry("system/controlDict", "application")
+    text = log(solver)
+    mesh = Mesh()
+    stated, volume = flow(mesh)
+    made = case(mesh, stated, solver)
+    end = made["time"]["end"]
+    simulated = numbers("\n".join(re.findall(r"^Time = (\S+)$", text, re.M)))
+    processes = re.search(r"^nProcs : (\d+)", text, re.M)
     volumes = [float(row[1]) for row in rows("waterVolume")]
-    thickness = numbers(pathlib.Path("log.blockMesh").read_text().split("boundingBox:")[1])[5]
-    probe = flat(numbers(entry(control, "functions/wallPressure/probeLocations")))
-    initial = covered_area(blocks) * thickness
+    # Cells fill a ball as well as they can: its change is counted from what they hold.
+    balls = any(block["shape"] == "ball" for block in stated["blocks"])
+    initial = volumes[0] if balls else volume
     extremes = [(float(row[2]), float(row[4])) for row in rows("alphaRange")]
-    setup = seconds("blockMesh", "setFields", "decomposePar")
+    setup = seconds("blockMesh", "checkMesh", "topoSet", "setFields", "setExprFields", "decomposePar")
     solve, output = seconds("solve"), seconds("reconstructPar")
     return {
         "program": solver,
-        "version": re.search(r"OPENFOAM=(\S+)", log)[1],
-        "build": re.search(r"^Build\s*: (.*)", log, re.M)[1],
+        "version": re.search(r"OPENFOAM=(\S+)", text)[1],
+        "build": re.search(r"^Build\s*: (.*)", text, re.M)[1],
         "cpu": processor_name(),
         "threads": int(processes[1]) if processes else 1,
         "started": utc(float(pathlib.Path(".steps/blockMesh").read_text().split()[1])),
-        "finished": abs(simulated[-1] - end) < 1e-6 * end,
+        "finished": simulated[-1] > end * (1 - 1e-6),
         "wall_s": {
             "total": round(setup + solve + output, 3),
             "setup": setup,
             "solve": solve,
             "output": output,
         },
-        "cpu_s": numbers(re.findall(r"^ExecutionTime = (.*) s ", log, re.M)[-1])[0],
+        "cpu_s": numbers(re.findall(r"^ExecutionTime = (.*) s ", text, re.M)[-1])[0],
         "steps": len(simulated),
         "simulated_s": simulated[-1],
-        "cells": cells,
+        "cells": mesh.cells,
+        "thickness": mesh.thickness,
+        "water_volume_stated": volume,
+        "water_volume_start": volumes[0],
         "water_volume_change": max((v / initial - 1 for v in volumes), key=abs),
         "alpha_min": min(low for low, _ in extremes),
         "alpha_max": max(high for _, high in extremes),
-        "case": {
-            "title": entry(control, "title").strip('"'),
-            "dimension": 2,
-            "cells_per_L": number(control, "cellsPerL"),
-            "fluid": {
-                "density": number(transport, "water/rho"),
-                "kinematic_viscosity": number(transport, "water/nu"),
-                "gravity": numbers(entry("constant/g", "value")),
-            },
-            "gas": {
-                "density": number(transport, "air/rho"),
-                "kinematic_viscosity": number(transport, "air/nu"),
-            },
-            "surface_tension": number(transport, "sigma"),
-            "tank": tank,
-            "blocks": blocks,
-            "obstacles": [],
-            "probes": [{"name": "wall_pressure", "position": probe}],
-            "time": {
-                "end": end,
-                "initial_step": number(control, "deltaT"),
-                "maximum_step": number(control, "maxDeltaT"),
-                "courant": number(control, "maxCo"),
-            },
-            "output": {"interval": number(control, "writeInterval")},
-            "method": {"name": "vof", "preset": tank["wall"], "parameters": method(solver)},
-        },
+        "case": made,
     }
 
 

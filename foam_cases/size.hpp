@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "foam_cases/case_files.hpp"
+
+namespace surge::foam {
+
+/// What a case will take. Steps, memory and disk are guesses.
+struct CaseSize {
+  double cells = 0.0;
+  double frames = 0.0;
+  double steps = 0.0;   ///< at the flow's reference speed; a splash has more
+  double memory = 0.0;  ///< bytes, of all processes
+  double disk = 0.0;    ///< bytes
+};
+[[nodiscard]] CaseSize case_size(const FoamCase& c);
+
+/// Bytes of memory of this machine, or of the control group that the process runs in.
+[[nodiscard]] double available_memory();
+
+/// Throws Error for a case of more memory than `memory` (bytes).
+void check_size(const CaseSize& size, double memory);
+/// Throws Error for a case of more bytes than are free where `folder` lies.
+void check_disk(const CaseSize& size, const std::filesystem::path& folder);
+
+/// "1.5 GB"
+[[nodiscard]] std::string bytes_text(double bytes);
+
+}  // namespace surge::foam
