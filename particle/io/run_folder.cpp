@@ -71,7 +71,7 @@ void refuse_links(const fs::path& folder) {
 
 /// What is lost where the run is replaced, and what else could be done.
 void refuse_older_run(const fs::path& folder, const nlohmann::json& manifest) {
-  const bool finished = manifest.value("/finished"_json_pointer, false);
+  const bool finished = manifest.contains("finished") && manifest["finished"] == true;
   std::string options = "; --force replaces it";
   if (!finished && fs::exists(folder / checkpoint_name))
     options = "; --restart goes on with it from its checkpoint, --force replaces it";

@@ -195,10 +195,12 @@ TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   }
 }
 
-TEST_F(Program, ReplacesAnOlderRunAndNothingElse) {
+TEST_F(Program, ReplacesAnOlderRunWithForceAndNothingElse) {
   ASSERT_EQ(run("run case.toml --out r --set output.interval=0.002").status, 0);
   std::ofstream(folder_.path() / "r/notes.txt") << "mine";
-  ASSERT_EQ(run("run case.toml --out r").status, 0);
+  expect_error("run case.toml --out r", "r: found a finished run, expected an empty folder");
+  EXPECT_EQ(manifest("r")["frames"], 11);
+  ASSERT_EQ(run("run case.toml --out r --force").status, 0);
   EXPECT_EQ(manifest("r")["frames"], 5);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r/frames/frame_00005.vtp"));
   EXPECT_EQ(test::read_text(folder_.path() / "r/notes.txt"), "mine");

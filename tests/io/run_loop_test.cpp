@@ -59,7 +59,7 @@ class RunLoopTest : public testing::Test {
     RunOutput output{FrameQueue(FrameWriter(folder_.path(), "density")),
                      StepTable(folder_.path() / "steps.csv", case_.probes),
                      Progress(progress_, false, case_.time.end)};
-    RunLoop<FakeSolver, 2> loop(solver, case_, output, record_, std::move(stop));
+    RunLoop<FakeSolver, 2> loop(solver, case_, output, record_, {std::move(stop)});
     return loop.run();
   }
   [[nodiscard]] std::string file(const char* name) const {
