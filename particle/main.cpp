@@ -130,11 +130,10 @@ int run_program(int argc, char** argv) {
       ->check(CLI::Range(1, 1024));
   auto* restart = run_command->add_flag(
       "--restart", arguments.run.restart,
-      "go on from the checkpoint in DIR, with the same case and settings: what follows is, to the "
-      "last bit, what the uninterrupted run computes");
+      "go on from DIR's checkpoint; same case and settings, same results to the last bit");
   run_command
       ->add_flag("--force", arguments.run.force,
-                 "replace the run that DIR holds; without it only an empty folder is written to")
+                 "replace the run that DIR holds; without it none is overwritten")
       ->excludes(restart);
   run_command->footer(
       "A run keeps a checkpoint every output.checkpoint seconds (600), and where Ctrl-C or SIGTERM "

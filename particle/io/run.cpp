@@ -74,8 +74,10 @@ class Run {
       const RunEnd end = compute<D>(*solver);
       finish(end);
       return end;
+    } catch (const RestartError&) {
+      throw;  // the folder is as it was
     } catch (const std::exception& error) {
-      if (!ours_) throw;  // a checkpoint that was refused: the folder is as it was
+      if (!ours_) throw RestartError(folder_.string() + ": " + error.what());
       record_.stopped = error.what();
       write_manifest();
       throw Error(folder_.string() + ": " + error.what());

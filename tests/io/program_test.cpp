@@ -176,6 +176,44 @@ TEST_F(Program, AFailedRunTellsWhereItsTimeWent) {
   EXPECT_LE(sum, j["wall_s"]["total"]);
 }
 
+/// In a shell whose files cannot grow beyond so many KiB, as on a full disk.
+std::string with_full_disk(int kib) {
+  return "trap '' XFSZ; ulimit -f " + std::to_string(kib) + "; ";
+}
+
+TEST_F(Program, AFullDiskIsNamedAndTheManifestCountsWhatIsThere) {
+  const Result result =
+      shell("cd '" + folder_.path().string() + "' && bash -c \"" + with_full_disk(20) +
+            SURGE_BIN_DIR "/surge-particle run case.toml --out r --set time.end=1 2>&1\"");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, testing::HasSubstr("steps.csv: found File too large"));
+  const nlohmann::json j = manifest("r");
+  EXPECT_EQ(j["finished"], false);
+  EXPECT_THAT(j["stopped"].get<std::string>(), testing::HasSubstr("File too large"));
+  const std::string rows = test::read_text(folder_.path() / "r/steps.csv");
+  EXPECT_GT(j["steps"], 0);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), j["steps"].get<long>() + 1);
+  EXPECT_EQ(rows.back(), '\n');
+  std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  EXPECT_NEAR(j["simulated_s"], std::stod(last), 1e-9);
+  EXPECT_EQ(j["frames"],
+            std::distance(std::filesystem::directory_iterator(folder_.path() / "r/frames"), {}));
+}
+
+TEST_F(Program, WithoutRoomForACheckpointTheRunGoesOn) {
+  // A frame is compressed, a checkpoint is not.
+  const Result result =
+      shell("cd '" + folder_.path().string() + "' && bash -c \"" + with_full_disk(100) +
+            SURGE_BIN_DIR
+            "/surge-particle run case.toml --out r --set output.checkpoint=1e-9 "
+            "--set resolution.spacing=0.0025 --set time.end=0.002 2>&1\"");
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output,
+              testing::HasSubstr("warning: no checkpoint: r/checkpoint.bin: found File too large"));
+  EXPECT_EQ(manifest("r")["finished"], true);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r/checkpoint.bin.tmp"));
+}
+
 TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   std::ofstream(folder_.path() / "open.toml") << test::case_without_tank();
   for (const std::string method : {"mps", "sph"}) {
