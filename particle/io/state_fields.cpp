@@ -4,11 +4,12 @@
 
 namespace surge {
 
-const StateField& StateReader::next(const std::string& name, const std::string& type) {
+const StateField& StateReader::next(const std::string& name, const std::string& type,
+                                    std::size_t value_bytes) {
   const std::string expected = name + " (" + type + ")";
   if (at_ == fields_.size()) refuse(expected, "no such field");
   const StateField& field = fields_[at_++];
-  if (field.name != name || field.type != type)
+  if (field.name != name || field.type != type || field.value_bytes != value_bytes)
     refuse(expected, "field " + field.name + " (" + field.type + ")");
   return field;
 }

@@ -103,10 +103,10 @@ class StateReader {
       using T = std::remove_cvref_t<decltype(member)>;
       if constexpr (std::ranges::contiguous_range<T>) {
         using Value = typename T::value_type;
-        member.resize(next(name, detail::ValueType<Value>::name()).count);
+        member.resize(next(name, detail::ValueType<Value>::name(), sizeof(Value)).count);
         take(reinterpret_cast<std::byte*>(member.data()), member.size() * sizeof(Value));
       } else {
-        if (next(name, detail::ValueType<T>::name()).count != 1) refuse(name, "a list");
+        if (next(name, detail::ValueType<T>::name(), sizeof(T)).count != 1) refuse(name, "a list");
         take(reinterpret_cast<std::byte*>(&member), sizeof(T));
       }
     });
@@ -117,7 +117,7 @@ class StateReader {
   [[noreturn]] void refuse(const std::string& field, const std::string& found) const;
 
  private:
-  const StateField& next(const std::string& name, const std::string& type);
+  const StateField& next(const std::string& name, const std::string& type, std::size_t value_bytes);
   void take(std::byte* data, std::size_t bytes);
   void finish() const;
 

@@ -148,6 +148,15 @@ TEST_F(CheckpointFile, OfAnotherStateIsRefused) {
                 j["fields"].push_back({"more", "f8", 0, 8});
               }),
               HasSubstr("found field more"));
+  // Values without bytes, of which any number fits into any file.
+  EXPECT_NE(refusal_with([](json& j) {
+              j["fields"].push_back({"more", "f8", 1ULL << 60U, 0});
+            }),
+            "");
+  EXPECT_NE(refusal_with([](json& j) {
+              j["fields"].insert(j["fields"].begin(), {"p.x.0", "f8", 1ULL << 60U, 0});
+            }),
+            "");
   EXPECT_THAT(refusal_with([](json& j) {
                 const auto n = j["fields"][0][2].get<std::size_t>();
                 j["fields"][0][2] = n - 1;
