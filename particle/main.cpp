@@ -11,6 +11,7 @@
 #include "particle/case/case_keys.hpp"
 #include "particle/io/computation.hpp"
 #include "particle/io/presets.hpp"
+#include "particle/io/restart_error.hpp"
 #include "particle/io/run.hpp"
 #include "particle/io/run_size.hpp"
 #include "particle/support/printable.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
 };
 
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
+constexpr int exit_no_restart = 3;
 
 int run(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
@@ -126,6 +128,17 @@ int run_program(int argc, char** argv) {
   run_command->add_option("--threads", arguments.run.threads, "number of threads; 1 by default")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  auto* restart = run_command->add_flag(
+      "--restart", arguments.run.restart,
+      "go on from DIR's checkpoint; same case and settings, same results to the last bit");
+  run_command
+      ->add_flag("--force", arguments.run.force,
+                 "replace the run that DIR holds; without it none is overwritten")
+      ->excludes(restart);
+  run_command->footer(
+      "A run keeps a checkpoint every output.checkpoint seconds (600), and where Ctrl-C or SIGTERM "
+      "stops it\nafter the present step; a second signal ends it at once.\n"
+      "Exit status: 0 finished; 1 error; 3 --restart was refused, DIR is as it was; 130 stopped.");
   CLI::App* check_command =
       app.add_subcommand("check", "read and check a case file, and say what it means");
   with_case(check_command);
@@ -153,6 +166,9 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return run_program(argc, argv);
+  } catch (const surge::RestartError& error) {
+    std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
+    return exit_no_restart;
   } catch (const std::exception& error) {
     std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
     return 1;

@@ -22,7 +22,8 @@ PRESETS = Path("particle/cases/presets")
 REFERENCE = Path("compare/reference")
 RUNS = Path("runs")
 REPORT = Path("report")
-NO_CODE = ("version.cpp.o", "preset_files.cpp.o")  # the commit; the presets, looked at one by one
+# The commit; the presets, looked at one by one; the text of the sources, of which comments are a part.
+NO_CODE = ("version.cpp.o", "preset_files.cpp.o", "source_hash.cpp.o")
 RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break", "role", "group",
             "repeats")
 # What a run is made for. Those after the first two say in `group` what they belong to.

@@ -17,6 +17,8 @@ import estimate
 from study import BUILD, REPORT, RUNS, Run, Study, StudyError, foam_files, load, write_stamp
 
 LOG_LINES = 15  # of a failed run's log are shown
+CHECKPOINT = "checkpoint.bin"  # in the folder of a particle run that was stopped
+NO_RESTART = 3  # surge-particle's status where it cannot go on from that
 
 
 def _say(text: str) -> None:
@@ -61,11 +63,18 @@ def _run_particle(run: Run, log) -> int:
     environment = {**os.environ, "OPENBLAS_NUM_THREADS": str(run.threads)}
     command = [str(BUILD / "bin/surge-particle"), "run", str(run.case), "--out", str(run.folder),
                "--threads", str(run.threads), *settings]
+    if (run.folder / CHECKPOINT).is_file():
+        _say(f"{run.name}: goes on from its checkpoint")
+        status = _call([*command, "--restart"], log, env=environment)
+        if status != NO_RESTART:
+            return status
+        _say(f"{run.name}: its checkpoint is of other inputs or damaged: from the beginning")
+        shutil.rmtree(run.folder)
     return _call(command, log, env=environment)
 
 
 def execute(study: Study, name: str, digest: str) -> bool:
-    """Makes one run from scratch; the stamp is the last thing that is written."""
+    """Makes one run, from its checkpoint or from scratch; the stamp is the last thing written."""
     run = next(r for r in study.runs if r.name == name)
     if run.digest() != digest:
         raise StudyError(f"{name}: its inputs changed after the start of the study; start it again")
@@ -78,7 +87,8 @@ def execute(study: Study, name: str, digest: str) -> bool:
             raise StudyError(f"{name}: a program of an earlier study is still at work in "
                              f"{run.folder}; wait for it or end it") from None
         log.truncate(0)
-        shutil.rmtree(run.folder, ignore_errors=True)
+        if run.program == "interFoam" or not (run.folder / CHECKPOINT).is_file():
+            shutil.rmtree(run.folder, ignore_errors=True)
         _say(f"{name}: started, log {run.log}")
         started = time.monotonic()
         status = (_run_foam if run.program == "interFoam" else _run_particle)(run, log)

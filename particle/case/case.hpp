@@ -93,6 +93,9 @@ struct Case {
   double spacing = 0.005;  ///< l0, m
   TimeControl time;
   double output_interval = 0.01;  ///< s between frames
+  /// s of wall-clock time between checkpoints, 0: none but at a stop. Ten minutes are what a kill
+  /// costs at most; a checkpoint takes about 100 bytes per particle, a second for ten million.
+  double checkpoint_interval = 600.0;
 };
 
 }  // namespace surge

@@ -164,7 +164,10 @@ Case read_case(const TomlTable& root) {
   for (const TomlTable& table : root.tables("force")) c.forces.push_back(read_force(table, c));
   c.spacing = read_spacing(root.table("resolution"));
   c.time = read_time(root.table("time"));
-  c.output_interval = root.table("output").number("interval", Bounds::above(0.0));
+  const TomlTable output = root.table("output");
+  c.output_interval = output.number("interval", Bounds::above(0.0));
+  c.checkpoint_interval =
+      output.number_or("checkpoint", c.checkpoint_interval, Bounds::at_least(0.0));
   return c;
 }
 

@@ -61,6 +61,8 @@ constexpr std::array keys{
     CaseKey{"[time]", "maximum_step", "s; 1e-3", ""},
     CaseKey{"[time]", "courant", "number up to 1; 0.2", "v_max dt / l0"},
     CaseKey{"[output]", "interval", "s", "between frames"},
+    CaseKey{"[output]", "checkpoint", "s of the clock; 600",
+            "between checkpoints; 0: only where the run is stopped"},
 };
 
 }  // namespace

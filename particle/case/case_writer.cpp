@@ -139,7 +139,7 @@ json to_json(const Case& c) {
                {"initial_step", c.time.initial_step},
                {"maximum_step", c.time.maximum_step},
                {"courant", c.time.courant}};
-  j["output"] = {{"interval", c.output_interval}};
+  j["output"] = {{"interval", c.output_interval}, {"checkpoint", c.checkpoint_interval}};
   return j;
 }
 

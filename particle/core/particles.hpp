@@ -85,6 +85,19 @@ struct Particles {
     type.resize(n, ParticleType::fluid);
     id.resize(n, 0);
   }
+
+  /// Calls f(name, member) for all members, for those who keep particles. A new member that is left
+  /// out here does not compile.
+  template <class Self, class F>
+  static void visit(Self& particles, F&& f) {
+    auto& [positions, velocities, pressures, densities, types, ids] = particles;
+    f("x", positions);
+    f("v", velocities);
+    f("pressure", pressures);
+    f("density", densities);
+    f("type", types);
+    f("id", ids);
+  }
 };
 
 }  // namespace surge

@@ -6,6 +6,7 @@
 
 #include "particle/core/radial_function.hpp"
 #include "particle/core/solver.hpp"
+#include "particle/io/state_fields.hpp"
 
 namespace surge {
 
@@ -24,6 +25,8 @@ class AnySolver {
   [[nodiscard]] virtual double time() const = 0;
   [[nodiscard]] virtual const Particles<D>& particles() const = 0;
   [[nodiscard]] virtual Clock& clock() = 0;
+  /// All that the rest of the trajectory depends on, where it lies now.
+  [[nodiscard]] virtual std::vector<StateField> state() const = 0;
   /// What it weighs neighbours with, for the method sheet.
   [[nodiscard]] virtual std::vector<RadialFunction> functions() const = 0;
   /// h, m, of methods that have one.
@@ -46,6 +49,9 @@ class WrappedSolver final : public AnySolver<D> {
   [[nodiscard]] double time() const override { return solver_.time(); }
   [[nodiscard]] const Particles<D>& particles() const override { return solver_.particles(); }
   [[nodiscard]] Clock& clock() override { return solver_.clock(); }
+  [[nodiscard]] std::vector<StateField> state() const override {
+    return fields_of(solver_.state());
+  }
   [[nodiscard]] std::vector<RadialFunction> functions() const override {
     return M::template functions<D>(solver_);
   }

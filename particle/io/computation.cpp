@@ -87,15 +87,10 @@ Computation parse_computation(std::string_view text, const std::string& source,
 }
 
 std::vector<std::string> notes_on(const Computation& computation) {
-  const Case& c = computation.flow;
-  std::vector<std::string> notes;
-  const auto note = [&](std::size_t count, const char* what) {
-    if (count > 0)
-      notes.push_back(std::to_string(count) + ' ' + what + " of the case not recorded by the run");
-  };
-  note(c.gauges.size(), c.gauges.size() == 1 ? "gauge" : "gauges");
-  note(c.forces.size(), c.forces.size() == 1 ? "force" : "forces");
-  return notes;
+  const std::size_t gauges = computation.flow.gauges.size();
+  if (gauges == 0) return {};
+  return {std::to_string(gauges) + (gauges == 1 ? " gauge" : " gauges") +
+          " of the case not recorded by the run: surge-compare measures them on its frames"};
 }
 
 nlohmann::json to_json(const Computation& computation) {

@@ -30,6 +30,10 @@ struct Computation {
   [[nodiscard]] std::unique_ptr<AnySolver<D>> make_solver() const {
     return method->make<D>(flow, options, search);
   }
+  template <int D>
+  [[nodiscard]] std::unique_ptr<AnySolver<D>> restore_solver(StateReader& state) const {
+    return method->restore<D>(flow, options, search, state);
+  }
 };
 
 /// Reads a case file with overrides `table.key=value`, on top of the preset that it names, and

@@ -85,6 +85,7 @@ void FrameQueue::write_next(std::unique_lock<std::mutex>& lock) {
   }
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   busy_s_.store(busy_s_.load() + spent.count());  // only this thread stores
+  if (!error) written_.fetch_add(1);
   lock.lock();
   error_ = error;
   waiting_.pop_front();

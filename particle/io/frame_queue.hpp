@@ -35,6 +35,8 @@ class FrameQueue {
   /// Returns when every frame is on the disk.
   void finish();
 
+  /// Frames that are on the disk.
+  [[nodiscard]] long written() const { return written_.load(); }
   /// Seconds that the thread has spent on writing.
   [[nodiscard]] double busy_s() const { return busy_s_.load(); }
 
@@ -51,6 +53,7 @@ class FrameQueue {
   std::exception_ptr error_;
   bool closing_ = false;
   std::atomic<double> busy_s_ = 0.0;
+  std::atomic<long> written_ = 0;
   std::thread thread_;  // last: it uses the others
 };
 

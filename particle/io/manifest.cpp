@@ -8,15 +8,45 @@
 
 namespace surge {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Restart, at, step, time, threads, cpu)
+
 namespace {
 
-std::string cpu_name() {
-  std::ifstream stream("/proc/cpuinfo");
-  for (std::string line; std::getline(stream, line);) {
-    const std::size_t colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown";
+/// Calls f(name, member) for all that a checkpoint keeps of a record.
+template <class Record, class F>
+void each_entry(Record& r, F&& f) {
+  f("started", r.started);
+  f("threads", r.threads);
+  f("wall_total", r.wall_total);
+  f("wall", r.wall);
+  f("cpu", r.cpu);
+  f("output_thread", r.output_thread);
+  f("steps", r.steps);
+  f("frames", r.frames);
+  f("simulated", r.simulated);
+  f("fluid_particles", r.fluid_particles);
+  f("wall_particles", r.wall_particles);
+  f("lost_particles", r.lost_particles);
+  f("clipped", r.clipped);
+  f("wall_collisions", r.wall_collisions);
+  f("particle_collisions", r.particle_collisions);
+  f("ppe_iterations", r.ppe_iterations);
+  f("ppe_unconverged", r.ppe_unconverged);
+  f("ppe_worst_residual", r.ppe_worst_residual);
+  f("ppe_setup", r.ppe_setup);
+  f("ppe_solve", r.ppe_solve);
+  f("restarts", r.restarts);
+}
+
+nlohmann::ordered_json restarts_json(const RunRecord& record) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Restart& r : record.restarts)
+    list.push_back({{"at", r.at},
+                    {"step", r.step},
+                    {"time_s", r.time},
+                    {"threads", r.threads},
+                    {"cpu", r.cpu}});
+  return list;
 }
 
 nlohmann::ordered_json wall_json(const RunRecord& record) {
@@ -27,6 +57,27 @@ nlohmann::ordered_json wall_json(const RunRecord& record) {
 }
 
 }  // namespace
+
+std::string cpu_name() {
+  std::ifstream stream("/proc/cpuinfo");
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+nlohmann::json to_json(const RunRecord& record) {
+  nlohmann::json j;
+  each_entry(record, [&](const char* name, const auto& member) { j[name] = member; });
+  return j;
+}
+
+RunRecord run_record(const nlohmann::json& j) {
+  RunRecord record;
+  each_entry(record, [&](const char* name, auto& member) { j.at(name).get_to(member); });
+  return record;
+}
 
 void RunRecord::add(const StepReport& report) {
   ++steps;
@@ -56,6 +107,7 @@ std::string manifest_text(const RunRecord& record, const Computation& computatio
   j["started"] = record.started;
   j["finished"] = record.finished;
   j["stopped"] = record.stopped;
+  j["restarts"] = restarts_json(record);
   j["wall_s"] = wall_json(record);
   j["cpu_s"] = record.cpu;
   j["output_thread_s"] = record.output_thread;

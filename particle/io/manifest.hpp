@@ -3,12 +3,22 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "particle/core/clock.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/io/computation.hpp"
 
 namespace surge {
+
+/// Where a run went on from a checkpoint.
+struct Restart {
+  std::string at;     ///< UTC, ISO 8601
+  long step = 0;      ///< steps that the checkpoint had
+  double time = 0.0;  ///< s, of the flow
+  int threads = 1;    ///< from there on
+  std::string cpu;
+};
 
 /// What a run has done so far; the manifest's counts.
 struct RunRecord {
@@ -35,9 +45,18 @@ struct RunRecord {
   double ppe_setup = 0.0;           ///< s in all, preconditioner or factorisation
   double ppe_solve = 0.0;           ///< s in all, the rest of it
   long nonfinite = 0;               ///< values that were infinite or not a number
+  std::vector<Restart> restarts;    ///< those that led to what is there
 
   void add(const StepReport& report);
 };
+
+/// A record as a checkpoint keeps it.
+[[nodiscard]] nlohmann::json to_json(const RunRecord& record);
+/// The same back. Throws nlohmann::json::exception where it is none.
+[[nodiscard]] RunRecord run_record(const nlohmann::json& j);
+
+/// The name of this machine's processor.
+[[nodiscard]] std::string cpu_name();
 
 /// The manifest of a run, as the text of manifest.json.
 [[nodiscard]] std::string manifest_text(const RunRecord& record, const Computation& computation);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "particle/core/initial_particles.hpp"
 #include "particle/isph/method.hpp"
 #include "particle/mps/method.hpp"
 #include "particle/sph/method.hpp"
@@ -36,6 +37,33 @@ std::unique_ptr<AnySolver<D>> make_solver(const Case& c, const std::any& options
   return std::make_unique<WrappedSolver<M, D>>(c, params_of<M>(options), search);
 }
 
+/// The particles of a state are those of the case: what they are is found by their ids.
+template <int D>
+void check_particles(const Particles<D>& p, const Particles<D>& initial, const StateReader& state) {
+  const auto refuse = [&] { state.refuse("the particles of the case", "other particles"); };
+  if (p.size() != initial.size()) refuse();
+  std::vector<char> seen(p.size(), 0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const auto id = static_cast<std::size_t>(p.id[i]);
+    if (p.id[i] < 0 || id >= p.size() || seen[id] != 0 || p.type[i] != initial.type[id]) refuse();
+    seen[id] = 1;
+  }
+}
+
+template <class M, int D>
+std::unique_ptr<AnySolver<D>> restore_solver(const Case& c, const std::any& options, Search search,
+                                             StateReader& reader) {
+  using Solver = typename M::template Solver<D>;
+  std::remove_cvref_t<decltype(std::declval<const Solver&>().state())> state;
+  reader.read(state);
+  const auto& params = params_of<M>(options);
+  check_particles(state.p, initial_particles<D>(c, M::wall_layers(params)), reader);
+  for (const StateField& field : fields_of(state))
+    if (!field.single && field.count != state.p.size())
+      reader.refuse("a value per particle", std::to_string(field.count) + " of " + field.name);
+  return std::make_unique<WrappedSolver<M, D>>(c, params, search, std::move(state));
+}
+
 template <class M>
 Method entry() {
   using Params = typename M::Params;
@@ -62,6 +90,8 @@ Method entry() {
           },
       .make_2d = make_solver<M, 2>,
       .make_3d = make_solver<M, 3>,
+      .restore_2d = restore_solver<M, 2>,
+      .restore_3d = restore_solver<M, 3>,
   };
 }
 

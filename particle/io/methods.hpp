@@ -47,12 +47,24 @@ struct Method {
                                                   Search search);
   Maker<2> make_2d;
   Maker<3> make_3d;
+  /// One that goes on from the state of another.
+  template <int D>
+  using Restorer = std::unique_ptr<AnySolver<D>> (*)(const Case& c, const std::any& options,
+                                                     Search search, StateReader& state);
+  Restorer<2> restore_2d;
+  Restorer<3> restore_3d;
 
   template <int D>
   [[nodiscard]] std::unique_ptr<AnySolver<D>> make(const Case& c, const std::any& options,
                                                    Search search) const {
     if constexpr (D == 2) return make_2d(c, options, search);
     if constexpr (D == 3) return make_3d(c, options, search);
+  }
+  template <int D>
+  [[nodiscard]] std::unique_ptr<AnySolver<D>> restore(const Case& c, const std::any& options,
+                                                      Search search, StateReader& state) const {
+    if constexpr (D == 2) return restore_2d(c, options, search, state);
+    if constexpr (D == 3) return restore_3d(c, options, search, state);
   }
 };
 

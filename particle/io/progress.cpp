@@ -9,12 +9,22 @@ namespace surge {
 
 using namespace std::chrono_literals;
 
-Progress::Progress(std::ostream& out, bool terminal, double end)
-    : out_(out), terminal_(terminal), end_(end), start_(Clock::now()), last_(start_) {}
+Progress::Progress(std::ostream& out, bool terminal, double end, double begin)
+    : out_(out),
+      terminal_(terminal),
+      end_(end),
+      begin_(begin),
+      start_(Clock::now()),
+      last_(start_),
+      tenths_(tenths(begin)) {}
+
+int Progress::tenths(double time) const {
+  return static_cast<int>(std::floor(10.0 * time / end_ + 1e-9));
+}
 
 void Progress::update(long step, double time, Clock::time_point now) {
-  const int tenths = static_cast<int>(std::floor(10.0 * time / end_ + 1e-9));
-  const bool due = terminal_ ? now - last_ >= 100ms : tenths > tenths_ || now - last_ >= 30s;
+  const int done = tenths(time);
+  const bool due = terminal_ ? now - last_ >= 100ms : done > tenths_ || now - last_ >= 30s;
   if (!due) return;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   if (terminal_) {
@@ -25,7 +35,7 @@ void Progress::update(long step, double time, Clock::time_point now) {
     out_ << line(step, time, elapsed) << std::endl;
   }
   last_ = now;
-  tenths_ = tenths;
+  tenths_ = done;
 }
 
 void Progress::close() {
@@ -35,7 +45,8 @@ void Progress::close() {
 
 std::string Progress::line(long step, double time, double elapsed) const {
   const double done = std::clamp(time / end_, 0.0, 1.0);
-  const std::string left = done > 0.0 ? duration_text(elapsed * (1.0 - done) / done) : "?";
+  const double ours = done - begin_ / end_;
+  const std::string left = ours > 0.0 ? duration_text(elapsed * (1.0 - done) / ours) : "?";
   std::array<char, 128> text{};
   std::snprintf(text.data(), text.size(), "step %ld  t = %.4f s of %g s  %3.0f %%  %s left", step,
                 time, end_, std::floor(100.0 * done + 1e-9), left.c_str());

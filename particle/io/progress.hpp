@@ -12,19 +12,21 @@ class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `end`: simulated time at the end, s
-  Progress(std::ostream& out, bool terminal, double end);
+  /// `begin`, `end`: simulated time, s
+  Progress(std::ostream& out, bool terminal, double end, double begin = 0.0);
 
   void update(long step, double time, Clock::time_point now = Clock::now());
   /// Ends a line that is still being redrawn.
   void close();
 
  private:
+  [[nodiscard]] int tenths(double time) const;
   [[nodiscard]] std::string line(long step, double time, double elapsed) const;
 
   std::ostream& out_;
   bool terminal_;
   double end_;
+  double begin_;
   Clock::time_point start_;
   Clock::time_point last_;
   int tenths_ = 0;

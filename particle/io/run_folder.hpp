@@ -7,12 +7,9 @@
 
 namespace surge {
 
-/// Writes a file under a temporary name and then renames it, so that readers see the old text or
-/// the new, never a part. Throws Error.
-void write_file(const std::filesystem::path& file, const std::string& text);
+/// The name of a run's checkpoint in its folder.
+inline constexpr const char* checkpoint_name = "checkpoint.bin";
 
-/// std::filesystem's functions with our errors.
-void rename_file(const std::filesystem::path& from, const std::filesystem::path& to);
 void make_folder(const std::filesystem::path& folder);
 
 /// Keeps other writers out of a run's folder for as long as it lives, this process' and others'.
@@ -29,10 +26,22 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Makes the folder of a run, or takes over that of an older one: replaces its manifest, then
-/// removes its other files. The new manifest comes first, so that the folder is known as a run's
-/// even if we are killed in between. Throws Error for a folder that holds anything but a run of
-/// this program; files that are not the run's are left alone.
-void claim_run_folder(const std::filesystem::path& folder, const std::string& manifest);
+/// Makes the folder of a run. One with an older run is taken over where `force` says so or where
+/// that run has left no frame: the new manifest replaces the old one first, so that the folder is
+/// known as a run's even if we are killed in between, then the other files of the run are removed.
+/// Throws Error for an older run without `force`, for a folder that holds anything but a run of
+/// this program, and where a link stands for a file of the run. Files that are not the run's are
+/// left alone.
+void claim_run_folder(const std::filesystem::path& folder, const std::string& manifest, bool force);
+
+/// "frames/frame_00012.vtp"
+[[nodiscard]] std::string frame_name(long index);
+
+/// Checks that a run's folder holds what a checkpoint stands on: its first frames and rows of
+/// steps.csv, the last of them at this time (s). Throws RestartError with what is missing.
+void check_results(const std::filesystem::path& folder, long frames, long rows, double time);
+
+/// Removes frames and rows beyond these.
+void cut_back(const std::filesystem::path& folder, long frames, long rows);
 
 }  // namespace surge

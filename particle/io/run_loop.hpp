@@ -13,6 +13,7 @@
 #include "particle/io/probes.hpp"
 #include "particle/io/progress.hpp"
 #include "particle/io/step_table.hpp"
+#include "particle/io/surface_forces.hpp"
 #include "particle/support/count.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/toml.hpp"
@@ -27,6 +28,14 @@ struct RunOutput {
 };
 
 enum class RunEnd { finished, interrupted };
+
+/// What a run is asked after each step.
+struct RunControl {
+  std::function<bool()> stop;                                   ///< whether to end it early
+  std::function<bool()> checkpoint_due = [] { return false; };  ///< a stop keeps one in any case
+  /// Keeps the state of the solver. All results of the steps so far have been handed to the disk.
+  std::function<void()> keep_checkpoint = [] {};
+};
 
 /// The times of frames: multiples of the interval, and the end.
 class FrameTimes {
@@ -53,21 +62,26 @@ class FrameTimes {
   return remaining < 2.0 * stable ? 0.5 * remaining : stable;
 }
 
-/// Takes a solver from its present state to the end of the case. Steps land on the frames' times.
+/// Takes a solver from its present state to the end of the case. Steps land on the frames' times. A
+/// record that has frames is that of a run which goes on: they are written, the solver stands after
+/// the last of them.
 template <ParticleSolver S, int D>
 class RunLoop {
  public:
-  /// `stop` is asked after every step whether to end the run early.
-  RunLoop(S& solver, const Case& c, RunOutput& output, RunRecord& record,
-          std::function<bool()> stop)
+  RunLoop(S& solver, const Case& c, RunOutput& output, RunRecord& record, RunControl control)
       : solver_(solver),
         case_(c),
         times_(c.time.end, c.output_interval),
         output_(output),
         record_(record),
-        stop_(std::move(stop)),
+        control_(std::move(control)),
         fastest_(100.0 * reference_speed(c)),
-        probes_(c) {}
+        probes_(c),
+        forces_(c) {
+    if (record.frames == 0) return;
+    last_frame_ = times_[record.frames - 1];
+    good_ = snapshot(solver_.time());
+  }
 
   /// Throws Error where values cease to be finite, the time step vanishes or a particle is a
   /// hundred times as fast as the reference speed of the flow, or where a frame cannot be written;
@@ -85,8 +99,7 @@ class RunLoop {
 
  private:
   RunEnd compute_frames() {
-    write_frame(times_[0]);
-    for (long k = 1; k <= times_.last(); ++k) {
+    for (long k = record_.frames; k <= times_.last(); ++k) {
       if (advance_to(times_[k]) == RunEnd::interrupted) {
         write_frame(solver_.time());
         return RunEnd::interrupted;
@@ -102,7 +115,9 @@ class RunLoop {
       const double stable = solver_.stable_step();
       if (remaining <= 1e-9 * stable) return RunEnd::finished;
       take_step(step_limit(stable, remaining));
-      if (stop_()) return RunEnd::interrupted;
+      const bool stop = control_.stop();
+      if (stop || control_.checkpoint_due()) keep_checkpoint();
+      if (stop) return RunEnd::interrupted;
     }
   }
 
@@ -112,9 +127,24 @@ class RunLoop {
     record_.simulated = solver_.time();
     check_finite(report);
     const auto scope = solver_.clock().measure(Phase::output);
-    output_.steps.add(solver_.time(), report, probes_.measure(solver_.particles()));
+    record_instruments();
+    output_.steps.add(solver_.time(), report, recorded_);
     if (record_.steps % steps_between_copies == 0) good_ = snapshot(solver_.time());
     output_.progress.update(record_.steps, solver_.time());
+  }
+
+  void record_instruments() {
+    recorded_ = probes_.measure(solver_.particles());
+    if (case_.forces.empty()) return;
+    for (const Point& force : forces_.measure(solver_.particles(), solver_.time()))
+      recorded_.insert(recorded_.end(), force.begin(), force.begin() + D);
+  }
+
+  void keep_checkpoint() {
+    finish_frames();
+    const auto scope = solver_.clock().measure(Phase::output);
+    output_.steps.flush();
+    control_.keep_checkpoint();
   }
 
   void check_finite(const StepReport& report) {
@@ -160,7 +190,6 @@ class RunLoop {
   void finish_frames() {
     const auto scope = solver_.clock().measure(Phase::output);
     output_.frames.finish();
-    record_.output_thread = output_.frames.busy_s();
   }
 
   /// The last good state that a failed run shows is at most so many steps old: copying it every
@@ -172,10 +201,12 @@ class RunLoop {
   FrameTimes times_;
   RunOutput& output_;
   RunRecord& record_;
-  std::function<bool()> stop_;
+  RunControl control_;
   /// m/s; what is faster is no flow, and would go on for ages in tiny steps. 0: not known
   double fastest_;
   Probes<D> probes_;
+  SurfaceForces<D> forces_;
+  std::vector<double> recorded_;  ///< recorded_columns() of this step
   Snapshot good_;
   double last_frame_ = 0.0;
 };

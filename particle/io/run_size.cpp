@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "particle/case/scales.hpp"
+#include "particle/io/step_table.hpp"
 
 namespace surge {
 
@@ -50,7 +51,8 @@ RunSize run_size(const Computation& computation) {
   size.memory = program_bytes + method.memory(computation.options, c.dimension, size.particles);
   size.disk = size.frames * (frame_bytes_per_fluid * size.particles.fluid +
                              frame_bytes_per_wall * size.particles.wall) +
-              size.steps * (row_bytes + row_bytes_per_probe * static_cast<double>(c.probes.size()));
+              size.steps * (row_bytes +
+                            row_bytes_per_probe * static_cast<double>(recorded_columns(c).size()));
   return size;
 }
 

@@ -13,9 +13,9 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <cstdio>
 #include <sstream>
 
+#include "particle/io/atomic_file.hpp"
 #include "particle/io/run_folder.hpp"
 #include "particle/support/toml.hpp"
 
@@ -67,21 +67,17 @@ vtkSmartPointer<vtkPolyData> poly_data(const Snapshot& s, const std::string& den
   return data;
 }
 
-std::string frame_name(std::size_t index) {
-  std::array<char, 48> name{};
-  std::snprintf(name.data(), name.size(), "frames/frame_%05zu.vtp", index);
-  return name.data();
-}
-
 }  // namespace
 
-FrameWriter::FrameWriter(std::filesystem::path folder, std::string density_name)
-    : folder_(std::move(folder)), density_name_(std::move(density_name)) {
+FrameWriter::FrameWriter(std::filesystem::path folder, std::string density_name,
+                         std::vector<double> times)
+    : folder_(std::move(folder)), density_name_(std::move(density_name)), times_(std::move(times)) {
   make_folder(folder_ / "frames");
+  if (!times_.empty()) write_collection();
 }
 
 void FrameWriter::write(const Snapshot& snapshot) {
-  const std::filesystem::path file = folder_ / frame_name(times_.size());
+  const std::filesystem::path file = folder_ / frame_name(static_cast<long>(times_.size()));
   const auto data = poly_data(snapshot, density_name_);
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(data);
@@ -101,8 +97,8 @@ void FrameWriter::write_collection() const {
   std::ostringstream pvd;
   pvd << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   for (std::size_t i = 0; i < times_.size(); ++i) {
-    pvd << "    <DataSet timestep=\"" << number_text(times_[i]) << "\" file=\"" << frame_name(i)
-        << "\"/>\n";
+    pvd << "    <DataSet timestep=\"" << number_text(times_[i]) << "\" file=\""
+        << frame_name(static_cast<long>(i)) << "\"/>\n";
   }
   pvd << "  </Collection>\n</VTKFile>\n";
   write_file(folder_ / "particles.pvd", pvd.str());

@@ -13,13 +13,13 @@ namespace surge {
 /// only when it is complete. Keeps nothing of a snapshot: any thread may call write, one at a time.
 class FrameWriter {
  public:
-  /// `folder`: the run's; `density_name`: "density" or "number_density"
-  FrameWriter(std::filesystem::path folder, std::string density_name);
+  /// `folder`: the run's; `density_name`: "density" or "number_density"; `times`, s: of the frames
+  /// that are there already
+  FrameWriter(std::filesystem::path folder, std::string density_name,
+              std::vector<double> times = {});
 
   /// Throws Error where a file cannot be written.
   void write(const Snapshot& snapshot);
-
-  [[nodiscard]] std::size_t count() const { return times_.size(); }
 
  private:
   void write_collection() const;

@@ -14,6 +14,19 @@ struct State {
   double time = 0.0;             ///< s
   long steps = 0;
   double v_max = 0.0;  ///< m/s
+
+  /// Calls f(name, member) for all members, for checkpoints. A new member that is left out here
+  /// does not compile.
+  template <class Self, class F>
+  static void visit(Self& state, F&& f) {
+    auto& [particles, surface, found, now, taken, fastest] = state;
+    f("p", particles);
+    f("surface_pressure", surface);
+    f("found_x", found);
+    f("time", now);
+    f("steps", taken);
+    f("v_max", fastest);
+  }
 };
 
 }  // namespace surge::isph

@@ -17,6 +17,23 @@ struct State {
   double v_max = 0.0;             ///< m/s
   double skin = 0.0;              ///< by how much the grid reaches beyond the kernel, m
   double moved_since_sort = 0.0;  ///< bound on any particle's path since the last sort, m
+
+  /// Calls f(name, member) for all members, for checkpoints. A new member that is left out here
+  /// does not compile.
+  template <class Self, class F>
+  static void visit(Self& state, F&& f) {
+    auto& [particles, accelerations, corrections, sorted, now, taken, fastest, reach, moved] =
+        state;
+    f("p", particles);
+    f("acceleration", accelerations);
+    f("xsph", corrections);
+    f("sorted_x", sorted);
+    f("time", now);
+    f("steps", taken);
+    f("v_max", fastest);
+    f("skin", reach);
+    f("moved_since_sort", moved);
+  }
 };
 
 }  // namespace surge::sph

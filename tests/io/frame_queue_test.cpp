@@ -9,6 +9,7 @@
 
 #include "particle/support/error.hpp"
 #include "tests/case/case_fixture.hpp"
+#include "tests/io/full_disk.hpp"
 
 namespace surge {
 namespace {
@@ -96,13 +97,29 @@ TEST(FrameQueue, AFolderThatVanishesIsAnError) {
 }
 
 TEST(FrameQueue, AFullDiskIsAnErrorAndLeavesNoFrame) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "needs /dev/full";
   const test::TemporaryFolder folder("full");
   FrameQueue queue(FrameWriter(folder.path(), "density"));
-  std::filesystem::create_symlink("/dev/full", folder.path() / "frames/frame_00000.vtp.tmp");
+  {
+    const test::FullDisk full(100);
+    queue.push(frame_at(0.0));
+    EXPECT_THROW(queue.finish(), Error);
+  }
+  EXPECT_EQ(queue.written(), 0);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "frames"));
+}
+
+TEST(FrameQueue, WritesNothingThroughLinks) {
+  const test::TemporaryFolder folder("frame_link");
+  FrameQueue queue(FrameWriter(folder.path(), "density"));
+  const auto target = folder.path() / "target";
+  for (const char* name : {"frames/frame_00000.vtp.tmp", "frames/frame_00000.vtp"})
+    std::filesystem::create_symlink(target, folder.path() / name);
   queue.push(frame_at(0.0));
-  EXPECT_THROW(queue.finish(), Error);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "frames/frame_00000.vtp"));
+  queue.finish();
+  EXPECT_EQ(queue.written(), 1);
+  EXPECT_FALSE(std::filesystem::exists(target));
+  EXPECT_TRUE(std::filesystem::is_regular_file(
+      std::filesystem::symlink_status(folder.path() / "frames/frame_00000.vtp")));
 }
 
 }  // namespace

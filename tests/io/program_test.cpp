@@ -114,9 +114,9 @@ TEST_F(Program, TextsOfAFileDoNotReachTheTerminalAsOrders) {
 }
 
 TEST_F(Program, SaysWhatItDoesNotRecord) {
-  std::ofstream(case_, std::ios::app) << "[[force]]\non = \"x-\"\n";
+  std::ofstream(case_, std::ios::app) << "[[gauge]]\nname = \"H\"\nposition = [0.05, 0.0]\n";
   EXPECT_THAT(run("check case.toml").output,
-              testing::HasSubstr("note: 1 force of the case not recorded by the run"));
+              testing::HasSubstr("note: 1 gauge of the case not recorded by the run"));
 }
 
 TEST_F(Program, WritesARunFolder) {
@@ -176,6 +176,44 @@ TEST_F(Program, AFailedRunTellsWhereItsTimeWent) {
   EXPECT_LE(sum, j["wall_s"]["total"]);
 }
 
+/// In a shell whose files cannot grow beyond so many KiB, as on a full disk.
+std::string with_full_disk(int kib) {
+  return "trap '' XFSZ; ulimit -f " + std::to_string(kib) + "; ";
+}
+
+TEST_F(Program, AFullDiskIsNamedAndTheManifestCountsWhatIsThere) {
+  const Result result =
+      shell("cd '" + folder_.path().string() + "' && bash -c \"" + with_full_disk(20) +
+            SURGE_BIN_DIR "/surge-particle run case.toml --out r --set time.end=1 2>&1\"");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, testing::HasSubstr("steps.csv: found File too large"));
+  const nlohmann::json j = manifest("r");
+  EXPECT_EQ(j["finished"], false);
+  EXPECT_THAT(j["stopped"].get<std::string>(), testing::HasSubstr("File too large"));
+  const std::string rows = test::read_text(folder_.path() / "r/steps.csv");
+  EXPECT_GT(j["steps"], 0);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), j["steps"].get<long>() + 1);
+  EXPECT_EQ(rows.back(), '\n');
+  std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  EXPECT_NEAR(j["simulated_s"], std::stod(last), 1e-9);
+  EXPECT_EQ(j["frames"],
+            std::distance(std::filesystem::directory_iterator(folder_.path() / "r/frames"), {}));
+}
+
+TEST_F(Program, WithoutRoomForACheckpointTheRunGoesOn) {
+  // A frame is compressed, a checkpoint is not.
+  const Result result =
+      shell("cd '" + folder_.path().string() + "' && bash -c \"" + with_full_disk(100) +
+            SURGE_BIN_DIR
+            "/surge-particle run case.toml --out r --set output.checkpoint=1e-9 "
+            "--set resolution.spacing=0.0025 --set time.end=0.002 2>&1\"");
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output,
+              testing::HasSubstr("warning: no checkpoint: r/checkpoint.bin: found File too large"));
+  EXPECT_EQ(manifest("r")["finished"], true);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r/checkpoint.bin.tmp"));
+}
+
 TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   std::ofstream(folder_.path() / "open.toml") << test::case_without_tank();
   for (const std::string method : {"mps", "sph"}) {
@@ -195,10 +233,12 @@ TEST_F(Program, RunsWithAnObstacleAndNoTank) {
   }
 }
 
-TEST_F(Program, ReplacesAnOlderRunAndNothingElse) {
+TEST_F(Program, ReplacesAnOlderRunWithForceAndNothingElse) {
   ASSERT_EQ(run("run case.toml --out r --set output.interval=0.002").status, 0);
   std::ofstream(folder_.path() / "r/notes.txt") << "mine";
-  ASSERT_EQ(run("run case.toml --out r").status, 0);
+  expect_error("run case.toml --out r", "r: found a finished run, expected an empty folder");
+  EXPECT_EQ(manifest("r")["frames"], 11);
+  ASSERT_EQ(run("run case.toml --out r --force").status, 0);
   EXPECT_EQ(manifest("r")["frames"], 5);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "r/frames/frame_00005.vtp"));
   EXPECT_EQ(test::read_text(folder_.path() / "r/notes.txt"), "mine");

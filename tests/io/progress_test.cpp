@@ -44,6 +44,15 @@ TEST(Progress, TerminalLineIsRedrawnWithTimeLeft) {
   EXPECT_THAT(out.str(), testing::EndsWith("\n"));
 }
 
+TEST(Progress, OfARestartCountsItsOwnPartOnly) {
+  std::ostringstream out;
+  Progress progress(out, true, 1.0, 0.5);
+  const auto start = Progress::Clock::now();
+  progress.update(750, 0.75, start + 30s);  // half of the half that is its own
+  progress.close();
+  EXPECT_THAT(out.str(), testing::HasSubstr("75 %  0:30 left"));
+}
+
 TEST(DurationText, CountsHoursWhereThereAreAny) {
   EXPECT_EQ(duration_text(0.4), "0:00");
   EXPECT_EQ(duration_text(83.0), "1:23");

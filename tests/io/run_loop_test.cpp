@@ -57,9 +57,9 @@ class RunLoopTest : public testing::Test {
   RunEnd run(
       FakeSolver& solver, std::function<bool()> stop = [] { return false; }) {
     RunOutput output{FrameQueue(FrameWriter(folder_.path(), "density")),
-                     StepTable(folder_.path() / "steps.csv", case_.probes),
+                     StepTable(folder_.path() / "steps.csv", recorded_columns(case_)),
                      Progress(progress_, false, case_.time.end)};
-    RunLoop<FakeSolver, 2> loop(solver, case_, output, record_, std::move(stop));
+    RunLoop<FakeSolver, 2> loop(solver, case_, output, record_, {std::move(stop)});
     return loop.run();
   }
   [[nodiscard]] std::string file(const char* name) const {
