@@ -94,7 +94,8 @@ struct Case {
   TimeControl time;
   double output_interval = 0.01;  ///< s between frames
   /// s of wall-clock time between checkpoints, 0: none but at a stop. Ten minutes are what a kill
-  /// costs at most; a checkpoint takes about 100 bytes per particle, a second for ten million.
+  /// costs at most. A checkpoint takes 100 bytes per particle and less time than a step (measured:
+  /// 0.1 s for 210 000 particles), so that ten minutes apart they cost nothing.
   double checkpoint_interval = 600.0;
 };
 
