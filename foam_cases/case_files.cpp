@@ -1,6 +1,7 @@
 #include "foam_cases/case_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "foam_cases/gates.hpp"
 
@@ -85,13 +86,15 @@ std::string parts(const FoamCase& c) {
 }
 
 /// constant/hRef: gh is zero at the floor, so that p_rgh = p there; empty where that is at zero.
+/// The solver counts hRef along the axis, whichever way gravity points; obliquely it means nothing.
 std::string reference_height(const FoamCase& c) {
   const std::size_t a = c.mesh.up;
-  const double floor = c.mesh.up_is_plus ? c.mesh.lower(a) : -c.mesh.upper(a);
-  if (floor == 0.0 || length(c.flow.gravity) == 0.0) return {};
+  const double floor = c.mesh.up_is_plus ? c.mesh.lower(a) : c.mesh.upper(a);
+  const double g = length(c.flow.gravity);
+  if (floor == 0.0 || g == 0.0 || std::abs(c.flow.gravity[a]) < 0.999999 * g) return {};
   return header("uniformDimensionedScalarField", "hRef") +
          "\ndimensions      [0 1 0 0 0 0 0];\nvalue           " + number_text(floor) +
-         ";   // m, against gravity: of the floor\n";
+         ";   // m, the floor's place along gravity's axis\n";
 }
 
 /// constant/fvOptions: what acts on the flow besides gravity; empty where there is nothing.
