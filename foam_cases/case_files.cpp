@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "foam_cases/gates.hpp"
+#include "foam_cases/pistons.hpp"
 
 #include "particle/case/scales.hpp"
 #include "particle/support/bounds.hpp"
@@ -104,6 +105,12 @@ std::string options(const FoamCase& c) {
   return header("dictionary", "fvOptions") + "\n#include \"../system/caseParameters\"\n" + entries;
 }
 
+/// Solver of the displacement of cells, in fvSolution.
+constexpr const char* mesh_motion =
+    "    \"cellDisplacement.*\"\n    {\n        solver          PCG;\n        preconditioner  "
+    "DIC;\n"
+    "        tolerance       1e-12;\n        relTol          0;\n    }\n\n";
+
 Values values_of(const FoamCase& c) {
   Values values;
   values["case_file"] = comment(c.source);
@@ -121,6 +128,7 @@ Values values_of(const FoamCase& c) {
   values["numerics_settings"] = group(c, "numerics");
   values["running_settings"] = group(c, "running");
   values["instruments"] = instruments(c);
+  values["mesh_motion"] = c.pistons.empty() ? "" : mesh_motion;
   values["parts"] = parts(c);
   values["pressure_reference"] = pressure_reference(c);
   return values;
@@ -145,7 +153,10 @@ Files case_files(const FoamCase& c) {
                       {"constant/fvOptions", options(c)},
                       {"constant/movingWalls", moving_walls(c)},
                       {"constant/tankMotion", motion_table(c)},
-                      {"constant/hRef", reference_height(c)}};
+                      {"constant/hRef", reference_height(c)},
+                      {"constant/dynamicMeshDict", dynamic_mesh(c)},
+                      {"0.orig/pointDisplacement", point_displacement(c)}};
+  for (const Piston& piston : c.pistons) files[piston_file(piston)] = piston_table(c, piston);
   for (const auto& [path, text] : perhaps)
     if (!text.empty()) files[path] = text;
   return files;
