@@ -98,9 +98,24 @@ std::string reference_height(const FoamCase& c) {
          ";   // m, the floor's place along gravity's axis\n";
 }
 
+/// Gravity along periodic axes, as a force on each volume of the water that fills the tank.
+std::string drive(const FoamCase& c) {
+  if (length(c.drive) == 0.0) return {};
+  Point force = c.drive;
+  for (double& component : force) component *= c.flow.density;
+  return "\n// Gravity along a periodic axis, where it has no p_rgh: water fills the tank.\n"
+         "drive\n{\n    type            vectorSemiImplicitSource;\n    active          yes;\n"
+         "    acceleration    " +
+         vector_text(c.drive) +
+         ";   // m/s2, for manifest.json\n    vectorSemiImplicitSourceCoeffs\n    {\n"
+         "        selectionMode   all;\n        volumeMode      specific;\n"
+         "        injectionRateSuSp { U (" +
+         vector_text(force) + " 0); }   // N/m3\n    }\n}\n";
+}
+
 /// constant/fvOptions: what acts on the flow besides gravity; empty where there is nothing.
 std::string options(const FoamCase& c) {
-  const std::string entries = tank_motion(c) + gate_options(c);
+  const std::string entries = tank_motion(c) + gate_options(c) + drive(c);
   if (entries.empty()) return {};
   return header("dictionary", "fvOptions") + "\n#include \"../system/caseParameters\"\n" + entries;
 }

@@ -29,6 +29,7 @@ struct FoamCase {
   Case flow;                          ///< its tank begins at the faces of pistons
   std::vector<MovingWall> all_walls;  ///< that move, by the indices of the case file
   std::vector<Piston> pistons;
+  Point drive{};      ///< m/s2: gravity along periodic axes; flow.gravity is the rest
   Settings settings;  ///< resolved
   Mesh mesh;
   std::vector<Patch> boundaries;

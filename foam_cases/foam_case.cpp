@@ -50,6 +50,21 @@ void leave_methods(const TomlTable& root, std::span<const std::string> overrides
   }
 }
 
+/// Whether boxes of water, which do not overlap, fill the tank up to its obstacles.
+bool is_full(const Case& c) {
+  const auto volume = [&](const Box& box) {
+    double product = 1.0;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
+      product *= box.upper[a] - box.lower[a];
+    return product;
+  };
+  double air = volume(c.tank.box);
+  for (const FluidBlock& block : c.blocks)
+    if (block.shape == FluidBlock::Shape::box) air -= volume(block.box);
+  for (const Box& box : c.obstacles) air -= volume(box);
+  return std::abs(air) <= 1e-9 * volume(c.tank.box);
+}
+
 /// What VOF on a mesh of boxes does not compute.
 void check_supported(const Case& c, const TomlTable& root) {
   if (!c.has_tank)
@@ -73,10 +88,12 @@ void check_supported(const Case& c, const TomlTable& root) {
                                           "a side, an obstacle or a piston");
   }
   for (std::size_t a = 0; a < 3; ++a) {
-    if (c.gravity[a] == 0.0 || !c.tank.periodic[a]) continue;
-    throw root.table("fluid").error(
-        "gravity", number_text(c.gravity[a]) + " m/s2 along a periodic axis",
-        "none: p_rgh = p - rho g h is not periodic there (interFoam has no other drive)");
+    if (c.gravity[a] == 0.0 || !c.tank.periodic[a] || is_full(c)) continue;
+    throw root.table("fluid").error("gravity",
+                                    number_text(c.gravity[a]) + " m/s2 along a periodic axis",
+                                    "none, or a tank full of water: p_rgh = p - rho g h is not "
+                                    "periodic there, and the force that "
+                                    "drives the flow instead has one density");
   }
   const bool turns = c.motion.kind == TankMotion::Kind::rotation;
   for (std::size_t a = 0; a < 3 && c.motion.kind != TankMotion::Kind::none; ++a) {
@@ -116,6 +133,9 @@ FoamCase checked(const TomlTable& root, const std::string& source,
   root.finish();
   check_case(made.flow, root);
   check_supported(made.flow, root);
+  const Point still = still_gravity(made.flow);
+  for (std::size_t a = 0; a < 3; ++a) made.drive[a] = made.flow.gravity[a] - still[a];
+  made.flow.gravity = still;
   made.all_walls = made.flow.moving_walls;
   made.pistons = take_pistons(made.flow);
   made.settings = resolved(read_settings(settings), made.flow);

@@ -279,11 +279,17 @@ def entries(path):
     return {k: v for k, v in dictionary(path).items() if isinstance(v, dict) and k != "FoamFile"}
 
 
+def gravity():
+    """With that part which acts as a force, along periodic axes."""
+    drive = entries("constant/fvOptions").get("drive", {}).get("acceleration", "(0 0 0)")
+    return [short(a + b) for a, b in zip(numbers(entry("constant/g", "value")), numbers(drive))]
+
+
 def motions():
     """Motion of the tank (None where it is at rest) and walls that move, held to fvOptions."""
     options, walls = entries("constant/fvOptions"), entries("constant/movingWalls")
     rows = {name for name, body in options.items() if body["type"] == "explicitPorositySource"}
-    others = set(options) - rows - {"tankMotion"}
+    others = set(options) - rows - {"tankMotion", "drive"}
     gates = [wall for wall in walls.values() if "tankSide" not in wall]
     if others or bool(rows) != bool(gates):
         fail("constant/fvOptions", ", ".join(sorted(options)) or "nothing",

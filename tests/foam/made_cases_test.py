@@ -119,6 +119,17 @@ class MadeCases(FoamTest):
         self.assertEqual((case["tank"]["periodic"], case["tank"]["open"]), (["x"], []))
         self.assertEqual(case["blocks"][0]["velocity"], [0.5, 0, 0])
 
+    def test_gravity_along_a_period_drives_the_water_that_fills_the_tank(self):
+        text = case_text(
+            3, fluid=water([0.8, 0.0, -G]), tank={"lower": [0.0, 0.0, 0.0], "upper": [0.1, 0.1, 0.1], "periodic": ["x", "y"]},
+            block=[box([0.0, 0.0, 0.0], [0.1, 0.1, 0.1])])
+        folder, manifest = self.run_case(text, "cellsPerL=6")
+        for u, v, w in internal(folder, "0.02", "U"):
+            self.assertAlmostEqual(u, 0.8 * 0.02, delta=1e-6)
+            self.assertAlmostEqual(math.hypot(v, w), 0.0, delta=1e-6)
+        self.assertEqual(manifest["case"]["fluid"]["gravity"], [0.8, 0, -G])
+        self.assertEqual(manifest["case"]["tank"]["periodic"], ["x", "y"])
+
     def test_velocities_that_differ_within_a_block(self):
         text = case_text(
             fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [1.0, 0.75], "open": ["y+"]},
