@@ -152,6 +152,7 @@ class BlockMesh {
     for (const Patch& patch : c_.boundaries) {
       if (patch.kind == Patch::Kind::empty) continue;
       const char* type = patch.kind == Patch::Kind::wall       ? "wall"
+                         : patch.kind == Patch::Kind::piston   ? "wall"
                          : patch.kind == Patch::Kind::periodic ? "cyclic"
                                                                : "patch";
       out_ << "    " << patch.name << "\n    {\n        type            " << type << ";\n";

@@ -1,8 +1,10 @@
 #include "foam_cases/case_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "foam_cases/gates.hpp"
+#include "foam_cases/pistons.hpp"
 
 #include "particle/case/scales.hpp"
 #include "particle/support/bounds.hpp"
@@ -85,21 +87,44 @@ std::string parts(const FoamCase& c) {
 }
 
 /// constant/hRef: gh is zero at the floor, so that p_rgh = p there; empty where that is at zero.
+/// The solver counts hRef along the axis, whichever way gravity points; obliquely it means nothing.
 std::string reference_height(const FoamCase& c) {
   const std::size_t a = c.mesh.up;
-  const double floor = c.mesh.up_is_plus ? c.mesh.lower(a) : -c.mesh.upper(a);
-  if (floor == 0.0 || length(c.flow.gravity) == 0.0) return {};
+  const double floor = c.mesh.up_is_plus ? c.mesh.lower(a) : c.mesh.upper(a);
+  const double g = length(c.flow.gravity);
+  if (floor == 0.0 || g == 0.0 || std::abs(c.flow.gravity[a]) < 0.999999 * g) return {};
   return header("uniformDimensionedScalarField", "hRef") +
          "\ndimensions      [0 1 0 0 0 0 0];\nvalue           " + number_text(floor) +
-         ";   // m, against gravity: of the floor\n";
+         ";   // m, the floor's place along gravity's axis\n";
+}
+
+/// Gravity along periodic axes, as a force on each volume of the water that fills the tank.
+std::string drive(const FoamCase& c) {
+  if (length(c.drive) == 0.0) return {};
+  Point force = c.drive;
+  for (double& component : force) component *= c.flow.density;
+  return "\n// Gravity along a periodic axis, where it has no p_rgh: water fills the tank.\n"
+         "drive\n{\n    type            vectorSemiImplicitSource;\n    active          yes;\n"
+         "    acceleration    " +
+         vector_text(c.drive) +
+         ";   // m/s2, for manifest.json\n    vectorSemiImplicitSourceCoeffs\n    {\n"
+         "        selectionMode   all;\n        volumeMode      specific;\n"
+         "        injectionRateSuSp { U (" +
+         vector_text(force) + " 0); }   // N/m3\n    }\n}\n";
 }
 
 /// constant/fvOptions: what acts on the flow besides gravity; empty where there is nothing.
 std::string options(const FoamCase& c) {
-  const std::string entries = tank_motion(c) + gate_options(c);
+  const std::string entries = tank_motion(c) + gate_options(c) + drive(c);
   if (entries.empty()) return {};
   return header("dictionary", "fvOptions") + "\n#include \"../system/caseParameters\"\n" + entries;
 }
+
+/// Solver of the displacement of cells, in fvSolution.
+constexpr const char* mesh_motion =
+    "    \"cellDisplacement.*\"\n    {\n        solver          PCG;\n        preconditioner  "
+    "DIC;\n"
+    "        tolerance       1e-12;\n        relTol          0;\n    }\n\n";
 
 Values values_of(const FoamCase& c) {
   Values values;
@@ -118,6 +143,7 @@ Values values_of(const FoamCase& c) {
   values["numerics_settings"] = group(c, "numerics");
   values["running_settings"] = group(c, "running");
   values["instruments"] = instruments(c);
+  values["mesh_motion"] = c.pistons.empty() ? "" : mesh_motion;
   values["parts"] = parts(c);
   values["pressure_reference"] = pressure_reference(c);
   return values;
@@ -142,7 +168,10 @@ Files case_files(const FoamCase& c) {
                       {"constant/fvOptions", options(c)},
                       {"constant/movingWalls", moving_walls(c)},
                       {"constant/tankMotion", motion_table(c)},
-                      {"constant/hRef", reference_height(c)}};
+                      {"constant/hRef", reference_height(c)},
+                      {"constant/dynamicMeshDict", dynamic_mesh(c)},
+                      {"0.orig/pointDisplacement", point_displacement(c)}};
+  for (const Piston& piston : c.pistons) files[piston_file(piston)] = piston_table(c, piston);
   for (const auto& [path, text] : perhaps)
     if (!text.empty()) files[path] = text;
   return files;

@@ -9,10 +9,27 @@
 
 namespace surge::foam {
 
+/// A moving wall that fills the tank across its direction: its face is a side of the mesh.
+struct Piston {
+  MovingWall wall;
+  std::size_t axis = 0;
+  bool water_above =
+      true;               ///< water beyond its upper face along the axis, else below its lower one
+  double tank_end = 0.0;  ///< m, where the tank ends behind it
+
+  [[nodiscard]] double face() const {
+    return water_above ? wall.box.upper[axis] : wall.box.lower[axis];
+  }
+  [[nodiscard]] std::size_t side() const { return 2 * axis + (water_above ? 0 : 1); }
+};
+
 /// All that the files of a case are written from.
 struct FoamCase {
-  std::string source;  ///< name of the case file
-  Case flow;
+  std::string source;                 ///< name of the case file
+  Case flow;                          ///< its tank begins at the faces of pistons
+  std::vector<MovingWall> all_walls;  ///< that move, by the indices of the case file
+  std::vector<Piston> pistons;
+  Point drive{};      ///< m/s2: gravity along periodic axes; flow.gravity is the rest
   Settings settings;  ///< resolved
   Mesh mesh;
   std::vector<Patch> boundaries;

@@ -19,7 +19,7 @@ std::string boundary(const std::string& name, const Entries& entries) {
 
 /// One entry for all walls, then one for each other boundary.
 template <class Open>
-std::string boundaries(const FoamCase& c, const Entries& wall, Open&& open) {
+std::string boundaries(const FoamCase& c, const Entries& wall, const Entries& piston, Open&& open) {
   std::vector<std::string> walls;
   for (const Patch& patch : c.boundaries)
     if (patch.kind == Patch::Kind::wall) walls.push_back(patch.name);
@@ -29,6 +29,7 @@ std::string boundaries(const FoamCase& c, const Entries& wall, Open&& open) {
   std::string text;
   if (!walls.empty()) text = boundary(names, wall);
   for (const Patch& patch : c.boundaries) {
+    if (patch.kind == Patch::Kind::piston) text += boundary(patch.name, piston);
     if (patch.kind == Patch::Kind::open) text += boundary(patch.name, open(patch));
     if (patch.kind == Patch::Kind::periodic) text += boundary(patch.name, {{"type", "cyclic"}});
     if (patch.kind == Patch::Kind::empty) text += boundary(patch.name, {{"type", "empty"}});
@@ -39,13 +40,15 @@ std::string boundaries(const FoamCase& c, const Entries& wall, Open&& open) {
 }  // namespace
 
 std::string velocity_boundaries(const FoamCase& c) {
-  return boundaries(c, {{"type", "$wall"}}, [](const Patch&) {
-    return Entries{{"type", "pressureInletOutletVelocity"}, {"value", "uniform (0 0 0)"}};
-  });
+  return boundaries(
+      c, {{"type", "$wall"}}, {{"type", "movingWallVelocity"}, {"value", "uniform (0 0 0)"}},
+      [](const Patch&) {
+        return Entries{{"type", "pressureInletOutletVelocity"}, {"value", "uniform (0 0 0)"}};
+      });
 }
 
 std::string alpha_boundaries(const FoamCase& c) {
-  return boundaries(c, {{"type", "zeroGradient"}}, [](const Patch&) {
+  return boundaries(c, {{"type", "zeroGradient"}}, {{"type", "zeroGradient"}}, [](const Patch&) {
     return Entries{{"type", "inletOutlet"}, {"inletValue", "uniform 0"}, {"value", "uniform 0"}};
   });
 }
@@ -71,14 +74,13 @@ const char* wall_pressure(const FoamCase& c) {
 // is at rest, p = rhoAir gh, so that p_rgh = p - rho gh depends on what is there; what flows in has
 // lost its dynamic pressure.
 std::string pressure_boundaries(const FoamCase& c) {
-  return boundaries(
-      c, {{"type", wall_pressure(c)}, {"value", "uniform 0"}}, [](const Patch& patch) {
-        if (patch.name == "atmosphere")
-          return Entries{{"type", "totalPressure"}, {"p0", "uniform 0"}};
-        return Entries{{"type", "exprFixedValue"},
-                       {"value", "uniform 0"},
-                       {"valueExpr", "\"($rhoAir - rho)*gh - (phi < 0 ? 0.5 : 0)*rho*magSqr(U)\""}};
-      });
+  const Entries wall{{"type", wall_pressure(c)}, {"value", "uniform 0"}};
+  return boundaries(c, wall, wall, [](const Patch& patch) {
+    if (patch.name == "atmosphere") return Entries{{"type", "totalPressure"}, {"p0", "uniform 0"}};
+    return Entries{{"type", "exprFixedValue"},
+                   {"value", "uniform 0"},
+                   {"valueExpr", "\"($rhoAir - rho)*gh - (phi < 0 ? 0.5 : 0)*rho*magSqr(U)\""}};
+  });
 }
 
 }  // namespace surge::foam

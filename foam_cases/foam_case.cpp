@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "foam_cases/gates.hpp"
+#include "foam_cases/pistons.hpp"
 #include "foam_cases/size.hpp"
 #include "particle/case/case_checks.hpp"
 #include "particle/case/case_file.hpp"
@@ -49,30 +50,50 @@ void leave_methods(const TomlTable& root, std::span<const std::string> overrides
   }
 }
 
+/// Whether boxes of water, which do not overlap, fill the tank up to its obstacles.
+bool is_full(const Case& c) {
+  const auto volume = [&](const Box& box) {
+    double product = 1.0;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
+      product *= box.upper[a] - box.lower[a];
+    return product;
+  };
+  double air = volume(c.tank.box);
+  for (const FluidBlock& block : c.blocks)
+    if (block.shape == FluidBlock::Shape::box) air -= volume(block.box);
+  for (const Box& box : c.obstacles) air -= volume(box);
+  return std::abs(air) <= 1e-9 * volume(c.tank.box);
+}
+
 /// What VOF on a mesh of boxes does not compute.
 void check_supported(const Case& c, const TomlTable& root) {
   if (!c.has_tank)
     throw root.error("tank", "no tank",
                      "a [tank] (a mesh ends somewhere), with open sides perhaps");
   for (std::size_t i = 0; i < c.moving_walls.size(); ++i) {
+    if (is_piston(c, c.moving_walls[i])) continue;
     const std::string fault = gate_fault(c, c.moving_walls[i]);
     if (fault.empty()) continue;
     throw root.tables("moving_wall")[i].error("direction", fault,
-                                              "a gate: along an axis, and at least 3 times as long "
-                                              "in its direction as thick (a mesh whose "
-                                              "walls push water, as a piston does, is not made; a "
-                                              "tank that moves as a whole is [motion])");
+                                              "a gate (along an axis, at least 3 times as long in "
+                                              "its direction as thick) or a piston (along "
+                                              "an axis, filling the tank across it from floor to "
+                                              "above the water); a tank that moves as a "
+                                              "whole is [motion]");
   }
   for (std::size_t i = 0; i < c.forces.size(); ++i) {
-    if (c.forces[i].of == ForceSurface::Of::moving_wall)
-      throw root.tables("force")[i].error("on", "a moving wall, of which the mesh has no surface",
-                                          "a side or an obstacle");
+    if (c.forces[i].of == ForceSurface::Of::moving_wall &&
+        !is_piston(c, c.moving_walls[c.forces[i].index]))
+      throw root.tables("force")[i].error("on", "a gate, of which the mesh has no surface",
+                                          "a side, an obstacle or a piston");
   }
   for (std::size_t a = 0; a < 3; ++a) {
-    if (c.gravity[a] == 0.0 || !c.tank.periodic[a]) continue;
-    throw root.table("fluid").error(
-        "gravity", number_text(c.gravity[a]) + " m/s2 along a periodic axis",
-        "none: p_rgh = p - rho g h is not periodic there (interFoam has no other drive)");
+    if (c.gravity[a] == 0.0 || !c.tank.periodic[a] || is_full(c)) continue;
+    throw root.table("fluid").error("gravity",
+                                    number_text(c.gravity[a]) + " m/s2 along a periodic axis",
+                                    "none, or a tank full of water: p_rgh = p - rho g h is not "
+                                    "periodic there, and the force that "
+                                    "drives the flow instead has one density");
   }
   const bool turns = c.motion.kind == TankMotion::Kind::rotation;
   for (std::size_t a = 0; a < 3 && c.motion.kind != TankMotion::Kind::none; ++a) {
@@ -112,10 +133,19 @@ FoamCase checked(const TomlTable& root, const std::string& source,
   root.finish();
   check_case(made.flow, root);
   check_supported(made.flow, root);
+  const Point still = still_gravity(made.flow);
+  for (std::size_t a = 0; a < 3; ++a) made.drive[a] = made.flow.gravity[a] - still[a];
+  made.flow.gravity = still;
+  made.all_walls = made.flow.moving_walls;
+  made.pistons = take_pistons(made.flow);
   made.settings = resolved(read_settings(settings), made.flow);
   made.mesh = make_mesh(made.flow, made.settings);
   check_connected(made.flow, made.mesh);
   made.boundaries = patches(made.flow, made.mesh, Vertices(made.mesh));
+  for (const Piston& piston : made.pistons)
+    for (Patch& patch : made.boundaries)
+      if (patch.name == side_name(made.flow, made.mesh, piston.side()))
+        patch.kind = Patch::Kind::piston;
   check_records(made);
   for (const MovingWall& wall : made.flow.moving_walls) static_cast<void>(gate_rows(made, wall));
   check_size(case_size(made), available_memory());
@@ -147,6 +177,12 @@ std::vector<std::string> notes_on(const FoamCase& c) {
     notes.push_back(
         "moving wall \"" + wall.name + "\": " + std::to_string(gate_rows(c, wall).size()) +
         " rows of cells stop the flow while it is there; it neither pushes nor drags water");
+  }
+  for (const Piston& piston : c.pistons) {
+    notes.push_back(
+        "piston \"" + piston.wall.name +
+        "\": a side of the mesh, as high as the tank; what is behind it is not computed, and "
+        "all cells move with it, those of gauges too");
   }
   const double frames = c.flow.time.end / c.flow.output_interval;
   if (std::abs(frames - std::round(frames)) > 1e-6) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "foam_cases/laws.hpp"
+#include "particle/case/enum_names.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -128,19 +129,24 @@ std::string gate_options(const FoamCase& c) {
 }
 
 std::string moving_walls(const FoamCase& c) {
-  if (c.flow.moving_walls.empty()) return {};
+  if (c.all_walls.empty()) return {};
   std::ostringstream out;
   out << header("dictionary", "movingWalls")
       << "\n// What the case says of walls that move; fvOptions was made from it. For "
          "manifest.json.\n";
-  for (std::size_t i = 0; i < c.flow.moving_walls.size(); ++i) {
-    const MovingWall& wall = c.flow.moving_walls[i];
+  for (std::size_t i = 0; i < c.all_walls.size(); ++i) {
+    const MovingWall& wall = c.all_walls[i];
     out << "wall" << i << "\n{\n";
     write_entry(out, "name", quoted_text(wall.name));
     write_entry(out, "lower", vector_text(wall.box.lower));
     write_entry(out, "upper", vector_text(wall.box.upper));
     write_entry(out, "direction", vector_text(wall.direction));
     write_law(out, wall.law);
+    for (const Piston& piston : c.pistons) {
+      if (piston.wall.name != wall.name) continue;
+      write_entry(out, "tankSide", std::string(side_names[piston.side()]));
+      write_entry(out, "tankEnd", number_text(piston.tank_end));
+    }
     out << "}\n";
   }
   return out.str();

@@ -77,36 +77,67 @@ Box column(const FoamCase& c, const Gauge& gauge) {
   return box;
 }
 
+/// Height (m) of a column of cells, without obstacles.
+double open_height(const FoamCase& c, const Box& column) {
+  Place place{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double x = column.lower[a] + 1e-3 * c.mesh.cell;
+    while (a != c.mesh.up && place[a] + 1 < c.mesh.count(a) && c.mesh.axes[a][place[a]].to < x)
+      ++place[a];
+  }
+  double height = 0.0;
+  for (std::size_t k = 0; k < c.mesh.count(c.mesh.up); ++k) {
+    place[c.mesh.up] = k;
+    const Piece& piece = c.mesh.axes[c.mesh.up][k];
+    if (!c.mesh.is_solid(place)) height += piece.to - piece.from;
+  }
+  return height;
+}
+
 std::string gauge_text(const FoamCase& c, const Gauge& gauge) {
   const Box box = column(c, gauge);
   double area = 1.0;
   for (std::size_t a = 0; a < 3; ++a)
     if (a != c.mesh.up) area *= box.upper[a] - box.lower[a];
   const std::string name = word(gauge.name);
+  // Cells of a mesh that moves change their area, and not the part of them that is water.
+  const bool moves = !c.pistons.empty();
   std::ostringstream out;
   out << "\n    // postProcessing/" << name
-      << ": volume of water in the cells above and below a place, m3, at every step; over\n"
-         "    // `area` it is the height of the water there.\n    "
+      << (moves
+              ? ": part of the cells above and below a place that is water, at every step;\n"
+                "    // times `height` it is the height of the water there.\n    "
+              : ": volume of water in the cells above and below a place, m3, at every step; over\n"
+                "    // `area` it is the height of the water there.\n    ")
       << name
       << "\n    {\n        type            volFieldValue;\n        libs            "
          "(fieldFunctionObjects);\n"
-         "        operation       volIntegrate;\n        regionType      cellZone;\n"
+         "        operation       "
+      << (moves ? "volAverage" : "volIntegrate")
+      << ";\n        regionType      cellZone;\n"
          "        name            "
       << zone(gauge)
       << ";\n        fields          (alpha.water);\n        writeFields     no;\n"
          "        log             no;\n        gauge           "
       << quoted_text(gauge.name) << ";   // its name in manifest.json\n        position        "
-      << vector_text(gauge.position) << ";\n        area            " << number_text(area)
-      << ";   // m2\n    }\n";
+      << vector_text(gauge.position) << ";\n        "
+      << (moves ? "height          " + number_text(open_height(c, box)) + ";   // m"
+                : "area            " + number_text(area) + ";   // m2")
+      << "\n    }\n";
   return out.str();
 }
 
-std::string surface_name(const ForceSurface& force) {
+std::string surface_name(const FoamCase& c, const ForceSurface& force) {
   if (force.of == ForceSurface::Of::side) return std::string(side_names[force.index]);
+  if (force.of == ForceSurface::Of::moving_wall) return c.all_walls[force.index].name;
   return "obstacle." + std::to_string(force.index);
 }
 
 std::string force_patch(const FoamCase& c, const ForceSurface& force) {
+  for (const Piston& piston : c.pistons)
+    if (force.of == ForceSurface::Of::moving_wall &&
+        piston.wall.name == c.all_walls[force.index].name)
+      return side_name(c.flow, c.mesh, piston.side());
   const bool side = force.of == ForceSurface::Of::side;
   return side ? side_name(c.flow, c.mesh, force.index) : obstacle_name(force.index);
 }
@@ -114,13 +145,13 @@ std::string force_patch(const FoamCase& c, const ForceSurface& force) {
 /// What a force is recorded as. A force that has no name of its own is called after the boundary.
 std::string force_record(const FoamCase& c, const ForceSurface& force) {
   const std::string name =
-      force.name == surface_name(force) ? force_patch(c, force) : word(force.name);
+      force.name == surface_name(c, force) ? force_patch(c, force) : word(force.name);
   return name + (name.starts_with("force") ? "" : "Force");
 }
 
 std::string force_text(const FoamCase& c, const ForceSurface& force) {
   const bool side = force.of == ForceSurface::Of::side;
-  const std::string patch = force_patch(c, force), on = surface_name(force);
+  const std::string patch = force_patch(c, force), on = surface_name(c, force);
   const std::string name = force_record(c, force);
   std::ostringstream out;
   out << "\n    // postProcessing/" << name << ": force of water and air on "
@@ -166,7 +197,7 @@ void check_records(const FoamCase& c) {
     const bool there = std::any_of(c.boundaries.begin(), c.boundaries.end(),
                                    [&](const Patch& p) { return p.name == patch; });
     if (!there)
-      throw Error("force: found " + surface_name(force) +
+      throw Error("force: found " + surface_name(c, force) +
                   ", of which water reaches no part, expected a surface with water before it");
   }
 }

@@ -10,7 +10,7 @@ namespace surge::foam {
 
 /// A boundary of the mesh: a side of the tank, or the surface of an obstacle.
 struct Patch {
-  enum class Kind { wall, open, periodic, empty };
+  enum class Kind { wall, piston, open, periodic, empty };
   std::string name;
   Kind kind = Kind::wall;
   std::string neighbour;           ///< periodic: the patch on the other side

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
+#include "foam_cases/text.hpp"
 #include "particle/support/spelling.hpp"
 
 namespace surge::foam {
@@ -137,7 +139,8 @@ Settings read_settings(std::span<const std::string> assignments) {
 Settings resolved(Settings settings, const Case& c) {
   if (settings.length <= 0.0) {
     const Box& first = c.blocks.front().box;
-    settings.length = first.upper[0] - first.lower[0];
+    // Without the noise of the difference.
+    settings.length = std::strtod(short_text(first.upper[0] - first.lower[0]).c_str(), nullptr);
   }
   if (settings.first_step <= 0.0) settings.first_step = c.time.initial_step;
   if (settings.maximum_step <= 0.0) settings.maximum_step = c.time.maximum_step;

@@ -52,7 +52,8 @@ void write_case(const Files& files, const fs::path& folder, bool over) {
       // What only the earlier case had would be taken for part of this one.
       for (const char* name :
            {"system/setExprFieldsDict", "system/topoSetDict", "constant/fvOptions",
-            "constant/tankMotion", "constant/hRef", "constant/movingWalls"})
+            "constant/tankMotion", "constant/hRef", "constant/movingWalls",
+            "constant/dynamicMeshDict", "0.orig/pointDisplacement"})
         fs::remove(folder / name);
       write_files(files, folder);
       return;

@@ -141,6 +141,8 @@ def tank(mesh):
             periodic.add(side[0])
         elif flow == "pressureInletOutletVelocity" and side:
             opened.add(side)
+        elif flow == "movingWallVelocity":
+            continue  # a piston
         elif flow in ("slip", "noSlip"):
             walls.add(flow)
         else:
@@ -148,9 +150,13 @@ def tank(mesh):
     walls = walls or {entry("system/caseParameters", "wall")}
     if len(walls) > 1:
         fail("0.orig/U", "walls of both kinds", "slip or noSlip for all")
+    box = {"-": list(mesh.lower), "+": list(mesh.upper)}
+    for wall in entries("constant/movingWalls").values():
+        if "tankSide" in wall:  # the mesh begins at a piston, the tank behind it
+            box[wall["tankSide"][1]]["xyz".index(wall["tankSide"][0])] = numbers(wall["tankEnd"])[0]
     return {
-        "lower": mesh.point(mesh.lower),
-        "upper": mesh.point(mesh.upper),
+        "lower": mesh.point(box["-"]),
+        "upper": mesh.point(box["+"]),
         "open": sorted(opened),
         "periodic": sorted(periodic),
         "wall": {"slip": "slip", "noSlip": "no-slip"}[walls.pop()],
@@ -257,13 +263,13 @@ def law(body):
     stated = {}
     for key, value in body.items():
         values = numbers(value)
-        if key in ("kind", "law", "quantity", "name"):
+        if key in ("kind", "law", "quantity", "name", "tankSide"):
             stated[key] = value.strip('"')
         elif key == "samples":
             stated[key] = [list(pair) for pair in zip(values[::2], values[1::2])]
         else:
             stated[key] = values if len(values) == 3 else values[0]
-    return stated
+    return {key: value for key, value in stated.items() if key not in ("tankSide", "tankEnd")}
 
 
 def entries(path):
@@ -273,12 +279,19 @@ def entries(path):
     return {k: v for k, v in dictionary(path).items() if isinstance(v, dict) and k != "FoamFile"}
 
 
+def gravity():
+    """With that part which acts as a force, along periodic axes."""
+    drive = entries("constant/fvOptions").get("drive", {}).get("acceleration", "(0 0 0)")
+    return [short(a + b) for a, b in zip(numbers(entry("constant/g", "value")), numbers(drive))]
+
+
 def motions():
     """Motion of the tank (None where it is at rest) and walls that move, held to fvOptions."""
     options, walls = entries("constant/fvOptions"), entries("constant/movingWalls")
     rows = {name for name, body in options.items() if body["type"] == "explicitPorositySource"}
-    others = set(options) - rows - {"tankMotion"}
-    if others or bool(rows) != bool(walls):
+    others = set(options) - rows - {"tankMotion", "drive"}
+    gates = [wall for wall in walls.values() if "tankSide" not in wall]
+    if others or bool(rows) != bool(gates):
         fail("constant/fvOptions", ", ".join(sorted(options)) or "nothing",
              "the tankMotion and the gates of constant/movingWalls, and nothing else")
     moved = law(options["tankMotion"]["stated"]) if "tankMotion" in options else None
@@ -297,7 +310,8 @@ def instruments(mesh):
             found["probes"].append({"name": body["probe"].strip('"'), "position": mesh.point(stated),
                                     "diameter": 0, "file": f"{folder}/p"})
         elif "gauge" in body:
-            found["gauges"].append({"name": body["gauge"].strip('"'), "area": numbers(body["area"])[0],
+            measure = {key: numbers(body[key])[0] for key in ("area", "height") if key in body}
+            found["gauges"].append({"name": body["gauge"].strip('"'), **measure,
                                     "position": mesh.point(numbers(body["position"])),
                                     "file": f"{folder}/volFieldValue.dat"})
         elif "force" in body:

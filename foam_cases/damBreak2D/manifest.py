@@ -12,7 +12,7 @@ import pathlib
 import platform
 import re
 
-from flow import Mesh, dictionary, entry, flow, log, number, numbers, short
+from flow import Mesh, dictionary, entry, flow, gravity, log, number, numbers, short
 
 
 def seconds(*names):
@@ -85,7 +85,7 @@ def case(mesh, stated, solver):
         "fluid": {
             "density": number(transport, "water|rho"),
             "kinematic_viscosity": number(transport, "water|nu"),
-            "gravity": numbers(entry("constant/g", "value")),
+            "gravity": gravity(),
         },
         "gas": {
             "density": number(transport, "air|rho"),

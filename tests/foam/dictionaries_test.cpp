@@ -127,6 +127,37 @@ TEST_F(Dictionaries, RowsOfAGateOpenAsItsLowerEdgePassesThem) {
   EXPECT_EQ(read("constant/movingWalls").dictionary("wall0").number("speed"), 2.0);
 }
 
+TEST_F(Dictionaries, APistonIsASideOfTheMesh) {
+  // Behind the water's left side; the tank of the mesh begins at its face.
+  const std::string text =
+      std::string(test::small_case) +
+      "[[moving_wall]]\nname = \"paddle\"\nlower = [-0.08, 0.0]\nupper = [0.0, 0.25]\n"
+      "direction = [1.0, 0.0]\nlaw = \"harmonic\"\namplitude = 0.05\nperiod = 0.5\n";
+  const std::vector<std::string> longer{"tank.lower=[-0.1, 0.0]"};
+  const FoamCase c = made({"cellsPerL=10"}, longer, text);
+  EXPECT_EQ(c.mesh.lower(0), 0.0);
+  EXPECT_EQ(c.mesh.cells(), 1500);
+  ASSERT_EQ(c.pistons.size(), 1U);
+  EXPECT_EQ(c.pistons[0].tank_end, -0.1);
+  write(c);
+  const FoamDictionary points = read("0.orig/pointDisplacement").dictionary("boundaryField");
+  EXPECT_EQ(points.dictionary("leftWall").words("type"),
+            std::vector<std::string>{"uniformFixedValue"});
+  EXPECT_EQ(points.dictionary("floor").words("type"), std::vector<std::string>{"slip"});
+  EXPECT_EQ(points.dictionary("rightWall").words("type"), std::vector<std::string>{"fixedValue"});
+  const FoamDictionary velocity = read("0.orig/U").dictionary("boundaryField");
+  EXPECT_EQ(velocity.dictionary("leftWall").words("type"),
+            std::vector<std::string>{"movingWallVelocity"});
+  EXPECT_EQ(read("constant/movingWalls").dictionary("wall0").number("tankEnd"), -0.1);
+  // It must begin at displacement zero and stay clear of what is before it.
+  std::vector<std::string> changed = longer;
+  changed.emplace_back("moving_wall.0.phase=1.0");
+  EXPECT_THAT(refusal({"cellsPerL=10"}, changed, text), HasSubstr("m out at time 0"));
+  changed.back() = "moving_wall.0.amplitude=5.0";
+  EXPECT_THAT(refusal({"cellsPerL=10"}, changed, text),
+              HasSubstr("expected at most 0.9 of the 0.3 m"));
+}
+
 TEST_F(Dictionaries, WhatVofDoesNotComputeIsRefusedInOneLine) {
   EXPECT_THAT(refusal({}, {"tank.periodic=[\"y\"]", "tank.open=[]"}),
               HasSubstr("fluid.gravity: found -9.81 m/s2 along a periodic axis"));
@@ -136,15 +167,20 @@ TEST_F(Dictionaries, WhatVofDoesNotComputeIsRefusedInOneLine) {
   const std::string plate = "lower = [0.1, 0.0]\nupper = [0.12, 0.3]\n";
   const std::string steady = "law = \"constant\"\nspeed = 1.0\nstop = 0.3\n";
   EXPECT_THAT(
-      refusal({}, {}, wall(plate + "direction = [1.0, 0.0]\n" + steady)),
-      HasSubstr("moving_wall.0.direction: found a wall 0.02 m long in its direction and 0.3 m "
+      refusal({}, {},
+              wall("lower = [0.1, 0.0]\nupper = [0.12, 0.1]\n"
+                   "direction = [1.0, 0.0]\n" +
+                   steady)),
+      HasSubstr("moving_wall.0.direction: found a wall 0.02 m long in its direction and 0.1 m "
                 "thick, which pushes water, expected a gate"));
+  EXPECT_THAT(refusal({}, {}, wall(plate + "direction = [1.0, 0.0]\n" + steady)),
+              HasSubstr("found the piston \"gate\" between water, obstacles or instruments"));
   const std::string up = plate + "direction = [0.0, 1.0]\n";
   EXPECT_THAT(refusal({}, {}, wall(up + "law = \"harmonic\"\namplitude = 0.2\nperiod = 0.01\n")),
               HasSubstr("expected a gate that passes each place once"));
   EXPECT_EQ(refusal({}, {}, wall(up + steady)), "made");
   EXPECT_THAT(refusal({}, {}, wall(up + steady + "[[force]]\non = \"gate\"\n")),
-              HasSubstr("force.0.on: found a moving wall"));
+              HasSubstr("force.0.on: found a gate"));
   std::string text = test::small_case;
   const auto begin = text.find("[tank]");
   text.erase(begin, text.find("[[block]]") - begin);

@@ -60,6 +60,18 @@ class MadeCases(FoamTest):
         self.assertEqual(manifest["case"]["tank"]["open"], ["z+"])
         self.assertEqual(manifest["case"]["fluid"]["gravity"], [0, 0, -G])
 
+    def test_still_water_with_gravity_along_plus_x(self):
+        text = case_text(
+            fluid=water([G, 0.0]), tank={"lower": [0.0, 0.0], "upper": [0.4, 0.2], "open": ["x-"]},
+            block=[box([0.3, 0.0], [0.4, 0.2])], probe=[{"name": "floor", "position": [0.4, 0.1]}],
+            gauge=[{"name": "level", "position": [0.0, 0.1]}])
+        folder, manifest = self.run_case(text, "cellsPerL=10")
+        self.assertLess(fastest(folder, "0.02"), 1e-4)
+        self.assertAlmostEqual(last_row(folder, "floor", "p")[1] / ((RHO - AIR) * G * 0.1), 1.0, delta=1e-4)
+        area = manifest["case"]["gauges"][0]["area"]
+        self.assertAlmostEqual(last_row(folder, "level", "volFieldValue.dat")[1] / area, 0.1, delta=1e-7)
+        self.assertEqual(manifest["case"]["tank"]["open"], ["x-"])
+
     def test_air_before_an_open_side_stays_at_rest(self):
         """Water up to the crest of a sill at the open side, seen by two processes."""
         text = case_text(
@@ -106,6 +118,17 @@ class MadeCases(FoamTest):
         case = manifest["case"]
         self.assertEqual((case["tank"]["periodic"], case["tank"]["open"]), (["x"], []))
         self.assertEqual(case["blocks"][0]["velocity"], [0.5, 0, 0])
+
+    def test_gravity_along_a_period_drives_the_water_that_fills_the_tank(self):
+        text = case_text(
+            3, fluid=water([0.8, 0.0, -G]), tank={"lower": [0.0, 0.0, 0.0], "upper": [0.1, 0.1, 0.1], "periodic": ["x", "y"]},
+            block=[box([0.0, 0.0, 0.0], [0.1, 0.1, 0.1])])
+        folder, manifest = self.run_case(text, "cellsPerL=6")
+        for u, v, w in internal(folder, "0.02", "U"):
+            self.assertAlmostEqual(u, 0.8 * 0.02, delta=1e-6)
+            self.assertAlmostEqual(math.hypot(v, w), 0.0, delta=1e-6)
+        self.assertEqual(manifest["case"]["fluid"]["gravity"], [0.8, 0, -G])
+        self.assertEqual(manifest["case"]["tank"]["periodic"], ["x", "y"])
 
     def test_velocities_that_differ_within_a_block(self):
         text = case_text(

@@ -3,7 +3,7 @@
 import math
 
 import foam_run
-from foam_run import FoamTest, box, case_text, fastest, last_row, water
+from foam_run import FoamTest, all_rows, box, case_text, fastest, last_row, water
 
 G, RHO = 9.81, 1000.0
 
@@ -93,6 +93,48 @@ class MovingTank(FoamTest):
         (t0, h0), (t1, h1) = later[after - 1], later[after]
         crossing = t0 + (t1 - t0) * h0 / (h0 - h1)
         self.assertAlmostEqual((crossing - push / 2) / (period / 2), 1.0, delta=0.02)
+
+
+class Piston(FoamTest):
+    """A piston at the left, 40 mm thick, before water 0.4 m long and 0.15 m deep."""
+
+    def pushed(self, name, end, interval, *foam, **law):
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.5, 0.3], "open": ["y+"]},
+            block=[box([0.1, 0.0], [0.5, 0.15])],
+            moving_wall=[{"name": "piston", "lower": [0.06, 0.0], "upper": [0.1, 0.2], "direction": [1.0, 0.0], **law}],
+            force=[{"on": "piston"}], gauge=[{"name": "middle", "position": [0.3, 0.0]}],
+            time={"end": end}, output={"interval": interval})
+        return self.run_case(text, *foam, name=name)
+
+    def test_the_added_mass_of_water_before_a_wall(self):
+        """Force at the start beyond that at rest: rho a sum 2 coth(k l)/(k^3 h), k = (2n - 1) pi/(2h) (Westergaard)."""
+        foam = ["L=0.1", "cellsPerL=20"]
+        push, manifest = self.pushed("push", 0.002, 0.002, *foam, **still(1.0))
+        rest, _ = self.pushed("rest", 0.002, 0.002, *foam, **still(0.0))
+        force = [last_row(folder, "leftWallForce", "force.dat")[1] for folder in (push, rest)]
+        h, length = 0.15, 0.4
+        modes = [(2 * n - 1) * math.pi / (2 * h) for n in range(1, 40)]
+        exact = -RHO * manifest["thickness"] * sum(2 / (k**3 * h * math.tanh(k * length)) for k in modes)
+        self.assertAlmostEqual((force[0] - force[1]) / exact, 1.0, delta=0.05)
+
+    def test_water_gives_way_to_a_piston(self):
+        """Nothing is lost, and the mesh ends at the piston's face."""
+        folder, manifest = self.pushed("case", 0.2, 0.1, "L=0.1", "cellsPerL=10", law="table",
+                                       quantity="displacement", samples=[[0.0, 0.0], [0.2, 0.02], [9.0, 0.02]])
+        points = (folder / "0.2/polyMesh/points").read_text()
+        xs = [float(line.split()[0].strip("(")) for line in points.splitlines() if line.count(" ") == 2 and line[0] == "("]
+        self.assertAlmostEqual(min(xs), 0.12, delta=1e-6)
+        self.assertAlmostEqual(max(xs), 0.5, delta=1e-9)
+        self.assertAlmostEqual(manifest["water_volume_change"], 0.0, delta=1e-6)
+        case = manifest["case"]
+        self.assertEqual((case["tank"]["lower"], case["tank"]["upper"]), ([0, 0, 0], [0.5, 0.3, 0]))
+        self.assertEqual(case["moving_walls"], [
+            {"name": "piston", "lower": [0.06, 0, 0], "upper": [0.1, 0.2, 0], "direction": [1, 0, 0], "law": "table",
+             "quantity": "displacement", "samples": [[0, 0], [0.2, 0.02], [9, 0.02]]}])
+        self.assertEqual(case["forces"][0]["on"], "piston")
+        first = all_rows(folder, "middle", "volFieldValue.dat")[0][1] * case["gauges"][0]["height"]
+        self.assertAlmostEqual(first, 0.15, delta=1e-4)
 
 
 if __name__ == "__main__":
