@@ -7,7 +7,7 @@
 #include "compare/figures/figures.hpp"
 #include "compare/report/page.hpp"
 #include "compare/report/sections.hpp"
-#include "particle/support/error.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 
@@ -17,10 +17,11 @@ using nlohmann::json;
 namespace {
 
 void write_text(const fs::path& file, const std::string& text) {
+  errno = 0;
   std::ofstream out(file);
   out << text;
   out.close();
-  if (!out) throw Error(file.string() + ": cannot be written");
+  if (!out) throw write_error(file);
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
     const std::string said = draw(figure, folder);
     if (!said.empty()) warnings += figure.name + ": " + said;
   }
-  write_text(out / "metrics.json", numbers.dump(1) + "\n");
+  write_text(out / "metrics.json",
+             numbers.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
   write_page(study, numbers, figures, out);
   return numbers;
 }
