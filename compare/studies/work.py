@@ -68,9 +68,9 @@ def _make_foam_case(run: Run, folder: Path, log, environment: dict) -> int:
 
 
 def _run_foam(run: Run, log) -> int:
-    # All that Debian's OpenFOAM needs in the environment.
-    environment = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ}
     with _foam_folder(run) as folder:
+        # All that Debian's OpenFOAM needs in the environment; it believes PWD, which must be right.
+        environment = {"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ, "PWD": str(folder.absolute())}
         if status := _make_foam_case(run, folder, log, environment):
             return status
         return _call(["./Allrun", "--np", str(run.threads)], log, cwd=folder, env=environment)
