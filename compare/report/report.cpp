@@ -72,6 +72,19 @@ std::string verification_table(const StudyResult& study) {
 
 }  // namespace
 
+namespace {
+
+/// What the verdict on a run's leading edge is; empty where there is none.
+std::string verdict_in(const json& metrics, const StudyResult& study, const std::string& run) {
+  json::json_pointer pointer("/verdicts/runs");
+  pointer /= run;
+  pointer /= "leading_edge";
+  pointer /= study.study.reference;
+  return metrics.contains(pointer) ? metrics.at(pointer).at("verdict").get<std::string>() : "";
+}
+
+}  // namespace
+
 std::string summary_table(const StudyResult& study, const json& metrics) {
   if (!study.has_reference()) return verification_table(study);
   const std::string against = metrics["summary"]["against"];
@@ -85,7 +98,8 @@ std::string summary_table(const StudyResult& study, const json& metrics) {
   const int width = static_cast<int>(longest) + 2;
   out << std::left << std::setw(width) << "run" << std::setw(11) << "status" << std::right
       << std::setw(9) << "RMS Z/L" << std::setw(9) << "max Z/L" << std::setw(9) << "bias"
-      << std::setw(11) << "impact s" << std::setw(9) << "steps" << std::setw(9) << "wall s" << '\n';
+      << std::setw(11) << "impact s" << std::setw(9) << "steps" << std::setw(9) << "wall s"
+      << "  leading edge\n";
   for (const auto& run : study.runs) {
     const std::string& name = run.study.name;
     const json none = json::object();
@@ -99,7 +113,7 @@ std::string summary_table(const StudyResult& study, const json& metrics) {
     cell(front, "impact_time_s", 11, 4);
     cell(timing, "steps", 9, 0);
     cell(timing, "wall_s", 9, 1);
-    out << '\n';
+    out << "  " << verdict_in(metrics, study, name) << '\n';
   }
   for (const auto& run : study.runs) {
     if (!run.note.empty()) out << run.study.name << ": " << run.note << '\n';
