@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   add_figure_command(app);
   add_figures_command(app);
   add_report_command(app);
+  add_study_command(app);
   try {
     app.parse(argc, argv);
     return exit_code;

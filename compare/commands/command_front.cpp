@@ -4,6 +4,7 @@
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
 #include "compare/measure/front.hpp"
+#include "compare/read/recorded.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -24,6 +25,8 @@ void run_front(const Arguments& arguments) {
   Run run = open_run(arguments.source, arguments.files.get());
   const FrontHistory history = measure_front(run, options);
   write_front_csv(arguments.out, history, run.physics.scales());
+  if (is_unfinished(run))
+    std::printf("%s: UNFINISHED: %s\n", run.name.c_str(), run.notices[0].c_str());
   print_notices(run);
   const std::size_t frames = run.frames->times().size();
   std::printf("%s: %zu frames, L = %g m, strip %g m: %s\n", run.name.c_str(), history.size(),

@@ -4,8 +4,9 @@
 
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
+#include "compare/read/recorded.hpp"
 #include "compare/study/metrics.hpp"
-#include "particle/support/error.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 namespace {
@@ -42,9 +43,9 @@ void print_table(const nlohmann::json& metrics) {
 void write_json(const std::filesystem::path& file, const nlohmann::json& value) {
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   std::ofstream out(file);
-  out << value.dump(2) << '\n';
+  out << value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   out.flush();
-  if (!out) throw Error(file.string() + ": cannot be written");
+  if (!out) throw write_error(file);
 }
 
 void run_metrics(const Arguments& arguments) {
@@ -66,6 +67,10 @@ void run_metrics(const Arguments& arguments) {
   }
   const nlohmann::json result = metrics(runs, arguments.study.reference(study), published, options);
   write_json(arguments.out, result);
+  for (const MeasuredRun& measured : runs)
+    if (is_unfinished(measured.run))
+      std::printf("%s: UNFINISHED: %s\n", measured.run.name.c_str(),
+                  measured.run.notices[0].c_str());
   print_table(result);
   std::printf("%s\n", arguments.out.c_str());
 }

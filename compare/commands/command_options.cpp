@@ -69,6 +69,35 @@ SourceOptions SourceArguments::get() const {
   return options;
 }
 
+SourceOptions source_options(const StudyRun& run) {
+  CLI::App app;
+  SourceArguments arguments;
+  arguments.add_to(app);
+  std::vector<std::string> words;  // CLI11 takes them from the end
+  const auto add = [&](const std::string& key, const std::string& value) {
+    const CLI::Option* option = app.get_option_no_throw("--" + key);
+    if (option == nullptr || key == "help")
+      throw Error(run.place + ".read." + key +
+                  ": found no such option, expected one of "
+                  "surge-compare front --help that says what files do not");
+    if (option->get_expected_max() == 0) {
+      if (value == "true") words.push_back("--" + key);
+    } else {
+      words.push_back("--" + key + "=" + value);
+    }
+  };
+  for (const auto& [key, value] : run.read) add(key, value);
+  if (run.map) add("map", run.map->string());
+  try {
+    app.parse(words);
+    return arguments.get();
+  } catch (const CLI::ParseError& error) {
+    throw Error(run.place + ".read: " + error.what());
+  } catch (const Error& error) {
+    throw Error(run.place + ".read: " + error.what());
+  }
+}
+
 void FrontArguments::add_to(CLI::App& app) {
   const std::string group = "Leading edge";
   app.add_option("--strip-height", strip_height_,
@@ -115,7 +144,7 @@ std::optional<Study> StudyArguments::study() const {
 std::vector<fs::path> StudyArguments::runs(const std::optional<Study>& study) const {
   std::vector<fs::path> paths;
   if (study) {
-    for (const StudyRun& run : study->runs) paths.push_back(fs::path(folder_) / run.name);
+    for (const StudyRun& run : study->runs) paths.push_back(run.folder(folder_));
     return paths;
   }
   bool has_reference = false;
@@ -136,9 +165,8 @@ std::vector<PublishedSeries> StudyArguments::published(const std::optional<Study
   std::vector<PublishedSeries> series;
   for (const std::string& file : published_) series.push_back(read_series(file));
   if (study) {
-    const fs::path folder = fs::path(study_).parent_path() / ".." / "reference";
     for (const std::string& name : study->published)
-      series.push_back(read_series(folder / (name + ".csv")));
+      series.push_back(read_series(series_file(*study, name)));
   }
   return series;
 }

@@ -31,6 +31,17 @@ class SourceArguments {
   std::string vertical_ = "y";
 };
 
+/// What the `read` table and the map of a run of program "files" say, understood as the options of
+/// the same names. Throws surge::Error with the run's place.
+[[nodiscard]] SourceOptions source_options(const StudyRun& run);
+
+/// A study, read and held against the disk and the programs, see check_study(). `programs`: their
+/// folder, that of this program where it is empty.
+[[nodiscard]] Study read_checked_study(const std::filesystem::path& file,
+                                       const std::string& programs = {},
+                                       const std::string& only = {},
+                                       const std::filesystem::path& series = {});
+
 /// Options that define the leading edge.
 class FrontArguments {
  public:

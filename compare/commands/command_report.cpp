@@ -1,10 +1,15 @@
 #include <cstdio>
+#include <fstream>
+#include <functional>
 #include <memory>
 
+#include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
 #include "compare/figures/figures.hpp"
 #include "compare/report/report.hpp"
-#include "particle/support/error.hpp"
+#include "compare/report/swap.hpp"
+#include "compare/study/run_fault.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 
@@ -17,6 +22,7 @@ struct Arguments {
   std::string runs = "runs";
   std::string out;
   std::string series;
+  std::string programs;
   std::string figure;
 };
 
@@ -28,14 +34,26 @@ void add_study_options(CLI::App& command, Arguments& arguments, const std::strin
   command.add_option("--runs", arguments.runs, "folder of the runs")->capture_default_str();
   command.add_option("--out", arguments.out, "folder to write to")->capture_default_str();
   command.add_option("--series", arguments.series,
-                     "folder of the published series (default: ../reference beside the study)");
+                     "folder of the published series (default: beside the study, ../reference "
+                     "beside it, or compare/reference)");
+  command.add_option("--programs", arguments.programs,
+                     "folder of the programs that check the study's cases (default: this one's)");
 }
 
-StudyResult collect_study(const Arguments& arguments) {
-  const fs::path file = arguments.study;
-  const fs::path beside = (file.parent_path() / ".." / "reference").lexically_normal();
-  return collect(read_study(file), arguments.runs,
-                 arguments.series.empty() ? beside : fs::path(arguments.series));
+/// Makes something of a study. A run whose files turn out to be faulty on the way is left out, and
+/// all is begun again: what is made holds the fault of one run as one run's.
+void make_of_study(const Arguments& arguments,
+                   const std::function<void(const StudyResult&)>& make) {
+  const Study study = read_checked_study(arguments.study, arguments.programs, {}, arguments.series);
+  Faults faults;
+  while (true) {
+    try {
+      make(collect(study, arguments.runs, arguments.series, faults));
+      return;
+    } catch (const RunFault& fault) {
+      if (!faults.emplace(fault.run(), fault.what()).second) throw;
+    }
+  }
 }
 
 void draw_and_say(const Figure& figure, const fs::path& folder) {
@@ -46,12 +64,18 @@ void draw_and_say(const Figure& figure, const fs::path& folder) {
   std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
 }
 
-void run_report(const Arguments& arguments) {
-  const StudyResult study = collect_study(arguments);
-  std::string warnings;
-  const nlohmann::json metrics = write_report(study, arguments.out, warnings);
+void run_report(const Arguments& arguments, const StudyResult& study) {
+  std::string warnings, table;
+  make_in_place(arguments.out, [&](const fs::path& folder) {
+    table = summary_table(study, write_report(study, folder, warnings));
+    errno = 0;
+    std::ofstream summary(folder / "summary.txt");
+    summary << table;
+    summary.close();
+    if (!summary) throw write_error(folder / "summary.txt");
+  });
   if (!warnings.empty()) std::fprintf(stderr, "surge-compare: %s", warnings.c_str());
-  std::printf("%s\nreport: %s\n", summary_table(study, metrics).c_str(),
+  std::printf("%s\nreport: %s\n", table.c_str(),
               fs::absolute(fs::path(arguments.out) / "index.html").lexically_normal().c_str());
 }
 
@@ -62,8 +86,9 @@ void add_figures_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("figures", "Draws all figures of a study as SVG and PDF");
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
-    const StudyResult study = collect_study(*arguments);
-    for (const Figure& figure : figures_of(study)) draw_and_say(figure, arguments->out);
+    make_of_study(*arguments, [&](const StudyResult& study) {
+      for (const Figure& figure : figures_of(study)) draw_and_say(figure, arguments->out);
+    });
   });
 }
 
@@ -77,7 +102,9 @@ void add_figure_command(CLI::App& app) {
       ->required();
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
-    draw_and_say(figure_of(collect_study(*arguments), arguments->figure), arguments->out);
+    make_of_study(*arguments, [&](const StudyResult& study) {
+      draw_and_say(figure_of(study, arguments->figure), arguments->out);
+    });
   });
 }
 
@@ -89,7 +116,9 @@ void add_report_command(CLI::App& app) {
   command->footer(
       "Example:\n"
       "  surge-compare report --study compare/studies/dam_break.toml --runs runs --out report");
-  command->callback([arguments] { run_report(*arguments); });
+  command->callback([arguments] {
+    make_of_study(*arguments, [&](const StudyResult& study) { run_report(*arguments, study); });
+  });
 }
 
 }  // namespace surge::compare

@@ -13,6 +13,7 @@ void add_metrics_command(CLI::App& app);
 void add_figure_command(CLI::App& app);
 void add_figures_command(CLI::App& app);
 void add_report_command(CLI::App& app);
+void add_study_command(CLI::App& app);
 /// Stores in exit_code what main returns: 0, exit_check_failed or exit_skipped.
 void add_check_command(CLI::App& app, int& exit_code);
 

@@ -92,16 +92,18 @@ Figure flowchart(const StudyResult& study, const std::string& method, const std:
   figure.name = name;
   figure.title = title;
   figure.caption = "Made from the source of " + sheet.step +
-                   ": every function that it calls, in that order, with the comment on it. The box "
-                   "of a function "
-                   "names its equations in the paper.";
+                   ": every function that it calls with the options of " + from->run->label() +
+                   ", in that order, with the comment on it. The box of a function names its "
+                   "equations in the paper.";
   Table table{name, {"order", "function", "does", "equations"}, {}};
   Flowchart chart;
   chart.box("Particles, walls, first neighbours", sheet.start, "", true);
   const double entry = chart.y() + 0.5 * gap;
   chart.down();
   chart.question("t < end?", sheet.until, "end");
-  for (const auto& stage : sheet.stages) {
+  const nlohmann::json& manifest = from->run->measured->run.manifest;
+  const std::vector<MethodSheet::Stage> stages = sheet.stages_with(manifest.at("case"));
+  for (const auto& stage : stages) {
     chart.down();
     chart.box(stage.does.empty() ? stage.function : stage.does, stage.function + "()",
               stage.equations);

@@ -6,6 +6,7 @@
 
 #include "particle/support/error.hpp"
 #include "particle/support/process.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 
@@ -19,8 +20,8 @@ std::string preamble(const Figure& figure) {
   const auto pixels = [](double mm) { return std::to_string(std::lround(mm / 25.4 * 96.0)); };
   const auto cm = [](double mm) { return fixed_text(mm / 10.0, 2) + "cm"; };
   std::ostringstream out;
-  out << "# " << plot_string(figure.title) << "\n# Draws " << figure.name << ".svg and " << figure.name
-      << ".pdf again: gnuplot " << figure.name << ".gp\n"
+  out << "# " << plot_string(figure.title) << "\n# Draws " << figure.name << ".svg and "
+      << figure.name << ".pdf again: gnuplot " << figure.name << ".gp\n"
       << "do for [kind in \"svg pdf\"] {\n"
       << "if (kind eq \"svg\") { set terminal svg enhanced size " << pixels(figure.width_mm) << ','
       << pixels(figure.height_mm) << " font \"sans-serif,9.3\" background rgb \"white\" name \""
@@ -50,7 +51,7 @@ std::string draw(const Figure& figure, const fs::path& folder) {
   std::ofstream out(folder / script);
   out << preamble(figure) << figure.script << "\nunset output\nreset session\n}\n";
   out.close();
-  if (!out) throw Error((folder / script).string() + ": cannot be written");
+  if (!out) throw write_error(folder / script);
   const auto [status, said] = run_process("gnuplot", {script}, folder, "gnuplot-nox");
   if (status != 0) throw Error((folder / script).string() + ": gnuplot failed: " + said);
   return said;

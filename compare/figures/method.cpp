@@ -1,5 +1,7 @@
 #include "compare/figures/method.hpp"
 
+#include "compare/study/run_fault.hpp"
+
 namespace surge::compare {
 
 std::optional<SheetRun> sheet_run(const StudyResult& study, const std::string& method) {
@@ -7,7 +9,8 @@ std::optional<SheetRun> sheet_run(const StudyResult& study, const std::string& m
   for (const RunResult* run : study.measured()) {
     const Run& r = run->measured->run;
     if (r.method != method || (found && r.preset != "paper")) continue;
-    if (auto sheet = read_method_sheet(r)) found = SheetRun{run, std::move(*sheet)};
+    if (auto sheet = guarded(run->study.name, r.path, [&] { return read_method_sheet(r); }))
+      found = SheetRun{run, std::move(*sheet)};
     if (found && r.preset == "paper") break;
   }
   return found;

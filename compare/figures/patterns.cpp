@@ -94,6 +94,8 @@ Figure pattern_figure(const StudyResult& study) {
   figure.title = title;
   figure.width_mm = double_column_mm;
   figure.height_mm = 128.0;
+  if (study.measured().size() < 2)
+    return empty_figure(figure.name, title, "No run besides the reference could be measured.");
   figure.tables.push_back(pattern_table(study));
   figure.caption =
       "Top: part that the regions of water of a run and of " + study.reference().label() +

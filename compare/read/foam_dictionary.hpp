@@ -28,6 +28,12 @@ class FoamDictionary {
   [[nodiscard]] bool has_dictionary(const std::string& key) const {
     return dictionaries_.contains(key);
   }
+  /// Names of all entries but the sub-dictionaries.
+  [[nodiscard]] std::vector<std::string> keys() const {
+    std::vector<std::string> names;
+    for (const auto& entry : entries_) names.push_back(entry.first);
+    return names;
+  }
   /// Sub-dictionary; throws where there is none.
   [[nodiscard]] const FoamDictionary& dictionary(const std::string& key) const;
   /// The words of an entry without brackets; throws where there is none.

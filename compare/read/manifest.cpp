@@ -3,6 +3,7 @@
 #include <set>
 
 #include "compare/read/readers.hpp"
+#include "compare/read/recorded.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -78,15 +79,20 @@ json read_json(const fs::path& file) {
   if (!in) throw Error(file.string() + ": cannot be opened, a JSON file expected");
   try {
     return json::parse(in);
-  } catch (const json::parse_error& error) {
+  } catch (const json::exception& error) {  // also a number that is too large
     throw Error(file.string() + ": not JSON: " + error.what());
   }
 }
 
 void apply_manifest(Run& run, const fs::path& file) {
-  run.manifest = read_json(file);
+  run.manifest = read_manifest(file);
   const Entry root(run.manifest, file.string() + ":");
-  const Entry stated = root.at("case");
+  static_cast<void>(root.at("case"));
+  apply_case(run, run.manifest.at("case"), file.string() + ": case");
+}
+
+void apply_case(Run& run, const json& value, const std::string& place) {
+  const Entry stated(value, place);
   const Entry method = stated.at("method");
   run.method = method.at("name").text();
   run.preset = method.at("preset").text();

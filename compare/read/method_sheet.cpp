@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
 #include "particle/support/error.hpp"
 
@@ -35,13 +36,44 @@ MethodSheet sheet_from(const json& file) {
   sheet.until = loop.at("until");
   sheet.step = loop.at("step");
   for (const json& entry : file.at("stages"))
-    sheet.stages.push_back({entry.at("function"), entry.at("does"), entry.at("equations")});
+    sheet.stages.push_back({entry.at("function"), entry.at("does"), entry.at("equations"),
+                            entry.value("if", std::string())});
   if (!(sheet.spacing > 0.0) || sheet.stages.empty())
     throw Error("spacing_m, stages: expected a length above 0 and at least one stage");
   return sheet;
 }
 
+/// Whether an option is on: "shifting", or has a value: "negative_pressure=difference".
+bool is_on(const std::string& word, const json& stated) {
+  const auto equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  json value = true;  // what is not stated may well act
+  for (const char* part : {"", "/fluid", "/method/parameters"}) {
+    json::json_pointer pointer(part);
+    pointer /= name;
+    if (stated.contains(pointer)) value = stated.at(pointer);
+  }
+  if (equals != std::string::npos) return value == word.substr(equals + 1) || value == true;
+  if (value.is_number()) return value.get<double>() != 0.0;
+  return !value.empty() && value != "none" && value != false;
+}
+
 }  // namespace
+
+bool is_any_on(const std::string& options, const json& stated) {
+  if (options.empty()) return true;
+  std::istringstream words(options);
+  for (std::string word; words >> word;)
+    if (word != "or" && is_on(word, stated)) return true;
+  return false;
+}
+
+std::vector<MethodSheet::Stage> MethodSheet::stages_with(const json& stated) const {
+  std::vector<Stage> called;
+  for (const Stage& stage : stages)
+    if (is_any_on(stage.options, stated)) called.push_back(stage);
+  return called;
+}
 
 const MethodSheet::Function& MethodSheet::function(const std::string& wanted) const {
   for (const Function& f : functions) {

@@ -20,6 +20,7 @@ struct MethodSheet {
   /// A function that the step calls, in the order of the calls.
   struct Stage {
     std::string function, does, equations;
+    std::string options;  ///< "a or b=c": called where option a is on, or b is c; empty: always
   };
   std::string method;
   int dimension = 2;
@@ -29,9 +30,16 @@ struct MethodSheet {
   std::string start, until, step;  ///< functions that surround the stages
   std::vector<Stage> stages;
 
+  /// The stages that are called with what a manifest's "case" says.
+  [[nodiscard]] std::vector<Stage> stages_with(const nlohmann::json& stated) const;
   /// The function of that name; throws Error where there is none.
   [[nodiscard]] const Function& function(const std::string& wanted) const;
 };
+
+/// Whether one of the options that "a or b=c" names is on with what a manifest's "case" says of the
+/// method, the fluid and the case itself: a is not zero, false, "none" or empty, or b has the value
+/// c. True for no options, and where the manifest does not state one.
+[[nodiscard]] bool is_any_on(const std::string& options, const nlohmann::json& stated);
 
 /// Empty where the run's folder has no such file: other programs write none. Throws Error where it
 /// cannot be understood.

@@ -1,4 +1,5 @@
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 
@@ -8,6 +9,7 @@
 #include <map>
 
 #include "compare/read/readers.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -50,7 +52,7 @@ class ParticleReader : public FrameReader {
   [[nodiscard]] Frame read(std::size_t index, Fields fields) override {
     ParticleFrame frame;
     frame.time = times_.at(index);
-    for (const fs::path& file : entries_[index].files) append(frame, file, fields);
+    for (const fs::path& file : entries_[index].files) append(frame, file, index, fields);
     count_nonfinite(frame, index);
     if (frame.position.empty()) {
       throw Error(entries_[index].files[0].string() + ": no fluid particle found (array " +
@@ -118,11 +120,23 @@ class ParticleReader : public FrameReader {
     return *time;
   }
 
-  void append(ParticleFrame& frame, const fs::path& file, Fields fields) const {
+  /// Our frames state their times: files that were swapped show here.
+  void check_time(vtkPointSet& points, const fs::path& file, std::size_t index) const {
+    if (!options_.time_stated) return;
+    vtkDataArray* stated = points.GetFieldData()->GetArray("TimeValue");
+    if (!stated || stated->GetNumberOfTuples() < 1) return;
+    const double found = stated->GetComponent(0, 0), expected = times_[index].value();
+    if (std::abs(found - expected) <= 1e-6 * std::abs(expected) + 1e-12) return;
+    throw Error(file.string() + ": a frame of " + number_text(found) + " s found, one of " +
+                number_text(expected) + " s expected (its place in particles.pvd)");
+  }
+
+  void append(ParticleFrame& frame, const fs::path& file, std::size_t index, Fields fields) const {
     Names names{options_.type_array};
     if (fields.pressure) names.push_back(options_.pressure_array);
     if (fields.velocity) names.push_back(options_.velocity_array);
     const vtkSmartPointer<vtkPointSet> points = read_points(file, names);
+    check_time(*points, file, index);
     vtkDataArray* type = nullptr;
     if (options_.type_required || points->GetPointData()->HasArray(options_.type_array.c_str())) {
       type = &require_array(*points, options_.type_array, 1, file);

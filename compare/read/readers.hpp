@@ -64,6 +64,9 @@ struct SeriesEntry {
 /// the same keys). Throws surge::Error naming a key that is missing or of the wrong kind.
 void apply_manifest(Run& run, const std::filesystem::path& file);
 
+/// The same from the manifest's "case" alone, or from a case that no run was made of yet.
+void apply_case(Run& run, const nlohmann::json& value, const std::string& place);
+
 /// The same for an OpenFOAM case without a manifest: constant/g, constant/transportProperties, the
 /// mesh and the volume fraction at time zero.
 void apply_foam_case(Run& run, const SourceOptions& options);

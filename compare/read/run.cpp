@@ -7,6 +7,7 @@
 #include "compare/read/first_frame.hpp"
 #include "compare/read/foam_case.hpp"
 #include "compare/read/readers.hpp"
+#include "compare/read/recorded.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -121,6 +122,7 @@ SourceOptions without_foreign_names(SourceOptions options) {
   options.type_array = usual.type_array;
   options.fluid_type = usual.fluid_type;
   options.type_required = true;
+  options.time_stated = true;
   return options;
 }
 
@@ -211,6 +213,7 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
     apply_series(run, options);
   }
   if (!stated) apply_options(run, options);
+  check_recorded(run);
   if (run.kind == SourceKind::openfoam && !run.cells_per_width) {
     run.cells_per_width = run.physics.column_width() / run.spacing;
   }

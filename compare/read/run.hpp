@@ -77,6 +77,7 @@ struct SourceOptions {
   std::string pressure_array = "pressure";
   std::string type_array = "type";
   bool type_required = false;  ///< set for our own runs and by --type-array; else all are fluid
+  bool time_stated = false;    ///< set for our own runs: each frame's file states its time
   int fluid_type = 0;
   std::string alpha_array = "alpha.water";
 };

@@ -12,6 +12,7 @@ namespace surge::compare {
 inline constexpr const char* reproduced = "reproduced";
 inline constexpr const char* not_reproduced = "not reproduced";
 inline constexpr const char* not_measured = "not measured";
+inline constexpr const char* not_decidable = "not decidable";
 
 using Runs = std::vector<const RunResult*>;
 
@@ -36,9 +37,9 @@ using Runs = std::vector<const RunResult*>;
 /// "MPS", "SPH"
 [[nodiscard]] std::string upper_name(const std::string& method);
 
-/// How many of how many meet a criterion.
+/// How many of how many meet a criterion, and of how many that cannot be decided.
 struct Count {
-  std::size_t met = 0, all = 0;
+  std::size_t met = 0, all = 0, open = 0;
   void add(bool meets) {
     met += meets ? 1 : 0;
     ++all;
@@ -46,10 +47,12 @@ struct Count {
   Count& operator+=(const Count& other) {
     met += other.met;
     all += other.all;
+    open += other.open;
     return *this;
   }
 };
-/// reproduced, not reproduced, "depends on CONDITION", or not measured where there is none at all.
+/// reproduced, not reproduced, "depends on CONDITION", not decidable where one is open, or not
+/// measured where there is none at all.
 [[nodiscard]] std::string verdict_of(const Count& count, const std::string& condition);
 
 /// A number of a run; null where it is not known.

@@ -49,6 +49,7 @@ std::string upper_name(const std::string& method) {
 }
 
 std::string verdict_of(const Count& count, const std::string& condition) {
+  if (count.open > 0) return not_decidable;
   if (count.all == 0) return not_measured;
   if (count.met == count.all) return reproduced;
   return count.met == 0 ? not_reproduced : "depends on " + condition;

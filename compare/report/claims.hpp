@@ -20,7 +20,9 @@ struct Claim {
   std::string statement;
   std::string place;      ///< in the paper
   std::string criterion;  ///< by which the verdict is found, with its thresholds
-  std::string verdict;    ///< "reproduced", "not reproduced", "depends on ...", "not measured"
+  /// "reproduced", "not reproduced", "depends on ...", "not measured", or "not decidable": it rests
+  /// on a difference that is not larger than its uncertainty, or whose uncertainty is not known
+  std::string verdict;
   std::vector<Evidence> evidence;
 };
 

@@ -1,3 +1,4 @@
+#include "compare/report/claim_parts.hpp"
 #include "compare/report/claims.hpp"
 #include "compare/report/sections.hpp"
 
@@ -10,7 +11,8 @@ void measure_claims(const StudyResult& study, json& metrics) {
   measure_cost(study, metrics);
   json& out = metrics["claims"] = json::array();
   json& counts = metrics["claim_counts"];
-  counts = {{"judged", 0}, {"reproduced", 0}, {"not reproduced", 0}, {"depends", 0}};
+  counts = {
+      {"judged", 0}, {"reproduced", 0}, {"not reproduced", 0}, {"depends", 0}, {not_decidable, 0}};
   for (const Claim& claim : find_claims(study, metrics)) {
     json evidence = json::array();
     for (const auto& [what, value] : claim.evidence)
@@ -20,6 +22,8 @@ void measure_claims(const StudyResult& study, json& metrics) {
       for (const std::string& name : {std::string("judged"), kind})
         counts[name] = counts[name].get<int>() + 1;
     }
+    // What the summary says of it must be the same.
+    if (claim.id == "mps_more_accurate") metrics["summary"]["accuracy"] = claim.verdict;
     out.push_back({{"id", claim.id},
                    {"statement", claim.statement},
                    {"place", claim.place},

@@ -8,11 +8,13 @@ using nlohmann::json;
 namespace {
 
 /// {parameter: {value, agreement, paper, place}} of one run.
-json deviations_of(const Run& run, const json& parameters) {
+json deviations_of(const Run& run) {
+  const json& own = run.manifest.at("case");
+  const json& parameters = own.at("method").at("parameters");
   json out = json::object();
   for (const auto& [parameter, value] : parameters.items()) {
     const PaperSetting* setting = find_paper_setting(run.method, parameter);
-    const Agreement agreement = compare_with_paper(setting, value);
+    const Agreement agreement = compare_with_paper(setting, value, own);
     const bool stated = agreement == Agreement::as_stated || agreement == Agreement::departs;
     out[parameter] = {{"value", value},
                       {"agreement", agreement_text(agreement)},
@@ -31,7 +33,7 @@ void measure_deviations(const StudyResult& study, json& metrics) {
   for (const RunResult* run : study.measured()) {
     const json& manifest = run->measured->run.manifest;
     if (run->measured->run.is_mesh() || !manifest.is_object() || !manifest.contains(path)) continue;
-    const json all = deviations_of(run->measured->run, manifest.at(path));
+    const json all = deviations_of(run->measured->run);
     int departs = 0, open = 0;
     for (const auto& entry : all) {
       const std::string agreement = entry["agreement"];

@@ -7,6 +7,7 @@
 #include "compare/verification/flows.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/process.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 
@@ -92,7 +93,7 @@ class TemporaryFile {
     std::ofstream out(path_);
     out << text;
     out.close();
-    if (!out) throw Error(path_.string() + ": cannot be written");
+    if (!out) throw write_error(path_);
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -125,7 +126,8 @@ void write_page(const StudyResult& study, const json& metrics, const std::vector
     source[is_template ? "templates" : "files"][std::string(name)] = text;
   }
   source["files"]["viewer_controls.html"] = source["templates"]["viewer_controls.html"];
-  const TemporaryFile input(out / ".page.json", source.dump());
+  const TemporaryFile input(out / ".page.json",
+                            source.dump(-1, ' ', false, json::error_handler_t::replace));
   const ProcessEnd end = run_process(python, {"-I", "-B", "-c", script, ".page.json", "index.html"},
                                      out, "python3, with python3-jinja2");
   if (end.status != 0)

@@ -13,12 +13,15 @@ struct PaperSetting {
   const char* parameter;  ///< as in a manifest's method.parameters
   const char* value;      ///< JSON; empty where the paper leaves it open
   const char* place;      ///< where in the paper, or what is missing there
+  /// "a or b=c": it acts where option a is on, or b is c, see is_any_on(); empty: always
+  const char* acts_with = "";
 };
 
 enum class Agreement {
   as_stated,  ///< the paper's value
   departs,    ///< another value than the paper's
   open,       ///< the paper gives none
+  inert,      ///< it has no effect with the other options
   unknown     ///< a parameter that the list below does not have
 };
 [[nodiscard]] std::string agreement_text(Agreement agreement);
@@ -27,7 +30,8 @@ enum class Agreement {
 /// Null where the list has no such parameter.
 [[nodiscard]] const PaperSetting* find_paper_setting(const std::string& method,
                                                      const std::string& parameter);
-[[nodiscard]] Agreement compare_with_paper(const PaperSetting* setting,
-                                           const nlohmann::json& value);
+/// `stated`: the manifest's "case".
+[[nodiscard]] Agreement compare_with_paper(const PaperSetting* setting, const nlohmann::json& value,
+                                           const nlohmann::json& stated);
 
 }  // namespace surge::compare

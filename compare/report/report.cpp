@@ -7,7 +7,7 @@
 #include "compare/figures/figures.hpp"
 #include "compare/report/page.hpp"
 #include "compare/report/sections.hpp"
-#include "particle/support/error.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 
@@ -17,10 +17,11 @@ using nlohmann::json;
 namespace {
 
 void write_text(const fs::path& file, const std::string& text) {
+  errno = 0;
   std::ofstream out(file);
   out << text;
   out.close();
-  if (!out) throw Error(file.string() + ": cannot be written");
+  if (!out) throw write_error(file);
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
     const std::string said = draw(figure, folder);
     if (!said.empty()) warnings += figure.name + ": " + said;
   }
-  write_text(out / "metrics.json", numbers.dump(1) + "\n");
+  write_text(out / "metrics.json",
+             numbers.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
   write_page(study, numbers, figures, out);
   return numbers;
 }
@@ -70,6 +72,19 @@ std::string verification_table(const StudyResult& study) {
 
 }  // namespace
 
+namespace {
+
+/// What the verdict on a run's leading edge is; empty where there is none.
+std::string verdict_in(const json& metrics, const StudyResult& study, const std::string& run) {
+  json::json_pointer pointer("/verdicts/runs");
+  pointer /= run;
+  pointer /= "leading_edge";
+  pointer /= study.study.reference;
+  return metrics.contains(pointer) ? metrics.at(pointer).at("verdict").get<std::string>() : "";
+}
+
+}  // namespace
+
 std::string summary_table(const StudyResult& study, const json& metrics) {
   if (!study.has_reference()) return verification_table(study);
   const std::string against = metrics["summary"]["against"];
@@ -83,7 +98,8 @@ std::string summary_table(const StudyResult& study, const json& metrics) {
   const int width = static_cast<int>(longest) + 2;
   out << std::left << std::setw(width) << "run" << std::setw(11) << "status" << std::right
       << std::setw(9) << "RMS Z/L" << std::setw(9) << "max Z/L" << std::setw(9) << "bias"
-      << std::setw(11) << "impact s" << std::setw(9) << "steps" << std::setw(9) << "wall s" << '\n';
+      << std::setw(11) << "impact s" << std::setw(9) << "steps" << std::setw(9) << "wall s"
+      << "  leading edge\n";
   for (const auto& run : study.runs) {
     const std::string& name = run.study.name;
     const json none = json::object();
@@ -97,7 +113,7 @@ std::string summary_table(const StudyResult& study, const json& metrics) {
     cell(front, "impact_time_s", 11, 4);
     cell(timing, "steps", 9, 0);
     cell(timing, "wall_s", 9, 1);
-    out << '\n';
+    out << "  " << verdict_in(metrics, study, name) << '\n';
   }
   for (const auto& run : study.runs) {
     if (!run.note.empty()) out << run.study.name << ": " << run.note << '\n';

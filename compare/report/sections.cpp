@@ -7,18 +7,20 @@
 #include "compare/study/cost_curves.hpp"
 #include "compare/study/sensitivity.hpp"
 #include "compare/study/sequences.hpp"
+#include "compare/study/verdict.hpp"
 
 namespace surge::compare {
 
 std::span<const Section> report_sections() {
   static constexpr bool anyway = false;
   static constexpr bool of_the_paper = true;
-  static const std::array<Section, 14> sections{{{measure_summary},
+  static const std::array<Section, 15> sections{{{measure_summary},
                                                  {measure_viewer},
                                                  {measure_figures},
                                                  {measure_patterns},
                                                  {measure_wall_pressure},
                                                  {measure_scaling},
+                                                 {measure_verdicts},
                                                  {measure_claims, true, of_the_paper},
                                                  {measure_sensitivity},
                                                  {measure_convergence},

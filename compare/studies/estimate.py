@@ -8,14 +8,13 @@ and hold within a factor of two; the estimate is one of the whole plan, not of e
 """
 
 import json
-import re
+import math
 import subprocess
 import tempfile
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from study import BUILD, PRESETS, RUNS, Run, Study
+from study import PROGRAMS, RUNS, Run
 
 # A column of 800 particles; long enough for a hundred steps and more, a fraction of a second.
 CALIBRATION = ["particle/cases/dam_break.toml", "--set", "resolution.spacing=0.00725"]
@@ -40,12 +39,16 @@ class Estimate:
     from_last_time: int = 0
 
     def total(self, runs: list[Run], cores: int) -> float:
-        """Of these runs: the timed ones one by one, then the others beside each other."""
-        cost = {run.name: self.seconds.get(run.name) or 0.0 for run in runs}
-        alone = sum(cost[run.name] for run in runs if run.timed)
-        shared = [run for run in runs if not run.timed]
-        area = sum(cost[run.name] * min(run.threads, cores) for run in shared) / max(cores, 1)
-        return alone + max([area, *(cost[run.name] for run in shared)])
+        return _total([(self.seconds.get(run.name) or 0.0, run.timed, run.threads) for run in runs], cores)
+
+
+def _total(runs: list[tuple[float, bool, int]], cores: int) -> float:
+    """Of runs of (seconds, timed, threads): the timed ones one by one, then the others beside each
+    other."""
+    alone = sum(cost for cost, timed, _ in runs if timed)
+    shared = [(cost, threads) for cost, timed, threads in runs if not timed]
+    area = sum(cost * min(threads, cores) for cost, threads in shared) / max(cores, 1)
+    return alone + max([area, *(cost for cost, _ in shared)])
 
 
 def estimate(runs: list[Run]) -> Estimate:
@@ -56,7 +59,7 @@ def estimate(runs: list[Run]) -> Estimate:
         seconds = _last_time(run)
         found.from_last_time += seconds is not None
         if seconds is None:
-            work = (run.program, run.case, run.set, run.threads)
+            work = (run.program, run.case, run.settings, run.threads)
             if work not in known:
                 known[work] = _modelled(run, rates)
             seconds = known[work]
@@ -70,7 +73,7 @@ def _last_time(run: Run) -> float | None:
         inputs = run.inputs()
         stamps = list(run.folder.glob(".finished-*"))
         before = json.loads(stamps[0].read_text(encoding="utf-8"))
-        if any(before.get(key) != inputs[key] for key in ("case", "overrides", "threads")):
+        if any(before.get(key) != inputs.get(key) for key in ("case", "method", "settings", "threads")):
             return None
         manifest = json.loads((run.folder / "manifest.json").read_text(encoding="utf-8"))
         return float(manifest["wall_s"]["total"])
@@ -86,35 +89,30 @@ def _modelled(run: Run, rates: dict[str, float | None]) -> float | None:
 
 
 def _particles(run: Run, rates: dict[str, float | None]) -> float | None:
-    settings = [word for setting in run.set for word in ("--set", setting)]
-    told = subprocess.run([str(BUILD / "bin/surge-particle"), "check", str(run.case), *settings],
-                          capture_output=True, text=True, check=False)
-    match = re.search(r"(\d+) fluid, (\d+) wall.*steps +about (\d+)", told.stdout, re.DOTALL)
-    if told.returncode != 0 or not match:
-        return None
-    fluid, wall, steps = (int(number) for number in match.groups())
-    method = _entry(run, "method.name", "mps")
+    case, size = run.resolved["case"], run.resolved["size"]
+    method = case["method"]["name"]
+    options = case["method"]["parameters"]
     rate = _rate(method, rates)
     if rate is None:
         return None
-    if method == "mps":
-        steps = max(1.0, steps * _share_of_speed(run, steps))
-    pairs = float(fluid + wall) ** 2 if _entry(run, "search.neighbours", "") == "all_pairs" else 0.0
+    fluid, wall, steps = (float(size[key]) for key in ("fluid_particles", "wall_particles", "steps"))
+    if method != "sph":  # the steps of SPH go with the sound
+        steps = max(1.0, steps * _share_of_speed(case, steps))
+    pairs = (fluid + wall) ** 2 if case["search"]["neighbours"] == "all_pairs" else 0.0
     if method == "sph":
-        width = float(_entry(run, "sph.h_over_l0", "1.2")) / 1.2
+        width = options["h_over_l0"] / 1.2
         work = fluid * width**2 + SPH_PAIR * pairs
     else:
         iccg = (fluid / 800) ** ICCG_GROWTH
-        solver = _entry(run, "mps.ppe_solver", "multigrid")
-        work = fluid * (iccg if solver == "iccg" else MPS_MULTIGRID) + MPS_PAIR * pairs
+        work = fluid * (iccg if options.get("ppe_solver") == "iccg" else MPS_MULTIGRID) + MPS_PAIR * pairs
     return START_S + rate * work * steps / min(run.threads, 4) ** 0.7
 
 
-def _share_of_speed(run: Run, steps: int) -> float:
+def _share_of_speed(case: dict, steps: float) -> float:
     """Mean speed of a fall from rest over the speed that the program has taken for its steps; one
-    where the run is longer than it takes to reach that. The steps of SPH go with the sound."""
-    end, spacing = (float(_entry(run, f"{key}", "1")) for key in ("time.end", "resolution.spacing"))
-    speed = steps * float(_entry(run, "time.courant", "0.2")) * spacing / end
+    where the run is longer than it takes to reach that."""
+    end = case["time"]["end"]
+    speed = steps * case["time"]["courant"] * case["spacing"] / end
     return min(1.0, 9.81 * end / (2 * speed)) if 9.81 * end < speed else 1.0
 
 
@@ -122,32 +120,23 @@ def _foam(run: Run, rates: dict[str, float | None]) -> float | None:
     rate = _rate("mps", rates)
     if rate is None:
         return None
-    text = (run.case / "system/caseParameters").read_text(encoding="utf-8")
-    entries = dict(re.findall(r"^(\w+)\s+([^;]+);", text, re.MULTILINE))
-    entries.update(setting.split("=", 1) for setting in run.set)
-    cells = 36 * float(entries["cellsPerL"]) ** 2
-    steps = 60 * float(entries["cellsPerL"]) * float(entries["endTime"]) * 0.5 / float(entries["maxCo"])
+    if "parameters" in run.resolved:
+        entries = run.resolved["parameters"]
+        cells = 36 * entries["cellsPerL"] ** 2
+        steps = 60 * entries["cellsPerL"] * entries["endTime"] * 0.5 / entries["maxCo"]
+    else:
+        cells, steps = _cells_and_steps(run.resolved["case"])
     return FOAM_START_S + rate * VOF_CELL * cells * steps / min(run.threads, 4) ** 0.7
 
 
-def _entry(run: Run, key: str, otherwise: str) -> str:
-    """An entry of the case as the run sees it: its overrides, the preset, the case file."""
-    table, name = key.split(".")
-    for setting in reversed(run.set):
-        if setting.startswith(key + "="):
-            return setting.split("=", 1)[1].strip("\"'")
-    case = tomllib.loads(run.case.read_text(encoding="utf-8"))
-    if name in case.get(table, {}):
-        return str(case[table][name])
-    if table in ("mps", "sph"):
-        preset = _entry(run, "method.preset", "paper")
-        while preset:
-            text = (PRESETS / f"{table}-{preset}.toml").read_text(encoding="utf-8")
-            values = tomllib.loads(text)
-            if name in values.get(table, {}):
-                return str(values[table][name])
-            preset = values.get("extends", "")
-    return otherwise
+def _cells_and_steps(case: dict) -> tuple[float, float]:
+    """Of a case whose mesh is as wide as its spacing; the speed is that of a fall through the tank."""
+    spacing, tank = case["spacing"], case["tank"]
+    sizes = [(b - a) / spacing for a, b in zip(tank["lower"], tank["upper"])][:case["dimension"]]
+    cells = math.prod(max(size, 1.0) for size in sizes)
+    height = max(b - a for a, b in zip(tank["lower"], tank["upper"]))
+    speed = math.sqrt(2 * math.hypot(*case["fluid"]["gravity"]) * height)
+    return cells, case["time"]["end"] * speed / (0.5 * spacing)
 
 
 def _rate(method: str, rates: dict[str, float | None]) -> float | None:
@@ -158,9 +147,9 @@ def _rate(method: str, rates: dict[str, float | None]) -> float | None:
 
 
 def _calibrate(method: str) -> float | None:
-    end = CALIBRATION_END[method]
+    end = CALIBRATION_END.get(method, CALIBRATION_END["mps"])
     with tempfile.TemporaryDirectory(prefix="calibration-") as folder:
-        command = [str(BUILD / "bin/surge-particle"), "run", *CALIBRATION, "--out", f"{folder}/run",
+        command = [str(PROGRAMS / "surge-particle"), "run", *CALIBRATION, "--out", f"{folder}/run",
                    "--set", f"method.name={method}", "--set", f"time.end={end}",
                    "--set", f"output.interval={end}"]
         try:
@@ -176,19 +165,21 @@ def _calibrate(method: str) -> float | None:
 # --- the rest of a plan --------------------------------------------------------------------------
 
 
-def keep(found: Estimate, cores: int) -> None:
+def keep(found: Estimate, runs: list[Run], cores: int) -> None:
     """Leaves the estimate to the runs, which tell what is left of it."""
     FILE.parent.mkdir(exist_ok=True)
-    FILE.write_text(json.dumps({"cores": cores, "seconds": found.seconds}), encoding="utf-8")
+    plan = [{"name": run.name, "seconds": found.seconds.get(run.name), "timed": run.timed,
+             "threads": run.threads, "stamp": str(run.stamp())} for run in runs]
+    FILE.write_text(json.dumps({"cores": cores, "runs": plan}), encoding="utf-8")
 
 
-def left(study: Study, done: str) -> str:
+def left(done: str) -> str:
     """", about 12 min left" after a run; empty where nothing is known."""
     try:
         plan = json.loads(FILE.read_text(encoding="utf-8"))
-        rest = [run for run in study.runs if run.name in plan["seconds"] and run.name != done
-                and not run.stamp().exists()]
-        seconds = Estimate(plan["seconds"]).total(rest, plan["cores"])
+        rest = [run for run in plan["runs"] if run["name"] != done and not Path(run["stamp"]).exists()]
+        seconds = _total([(run["seconds"] or 0.0, run["timed"], run["threads"]) for run in rest],
+                         plan["cores"])
         return f", about {words(seconds)} left" if rest else ""
     except (OSError, ValueError, KeyError, TypeError):
         return ""

@@ -1,33 +1,28 @@
-"""What a study is made of, and which of its runs are up to date. Standard library only.
+"""Which runs of a study are up to date. Standard library only.
 
-A run counts as done when its folder holds a stamp `.finished-<digest>`, where the digest is taken
-from everything that decides about the result: case file, preset, overrides, threads and the
-program's own code (its object files without those that carry the commit and the texts of the
-presets, so that a commit which touches other things repeats nothing). Times of files play no part.
+A study is read by `surge-compare study`, which also says what each of its runs is to compute. A run
+counts as done when its folder holds a stamp `.finished-<digest>`, where the digest is taken from
+everything that decides about the result: the case and the method as the program understands them,
+threads, and the program's own code (its object files without those that carry the commit and the
+texts of the presets, so that a commit which touches other things repeats nothing). Times of files
+play no part.
 """
 
 import functools
 import hashlib
 import json
-import os
 import re
 import shutil
 import subprocess
-import tomllib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 BUILD = Path("build/release")
-PRESETS = Path("particle/cases/presets")
-REFERENCE = Path("compare/reference")
+PROGRAMS = BUILD / "bin"
 RUNS = Path("runs")
 REPORT = Path("report")
-# The commit; the presets, looked at one by one; the text of the sources, of which comments are a part.
+# The commit; the presets are part of a run's case; the text of the sources, of which comments are a part.
 NO_CODE = ("version.cpp.o", "preset_files.cpp.o", "source_hash.cpp.o")
-RUN_KEYS = ("name", "program", "case", "set", "threads", "timed", "may_break", "role", "group",
-            "repeats")
-# What a run is made for. Those after the first two say in `group` what they belong to.
-ROLES = ("comparison", "timing", "sensitivity", "convergence", "verification")
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
@@ -36,26 +31,27 @@ FOAM_OUTPUT = re.compile(
 )
 
 
-# What may be set in a dictionary of OpenFOAM, where ; ends an entry and # and $ start directives.
-FOAM_SETTING = re.compile(r"[A-Za-z]\w*=[\w.+\- ()]+", re.ASCII)
-
-
 class StudyError(Exception):
     """A mistake in a study, told in one line."""
 
 
+class NotBuilt(StudyError):
+    """The program that reads studies is not there yet."""
+
+
 @dataclass(frozen=True)
 class Run:
-    """One [[run]] table of a study, or several that agree in all but role and group."""
+    """One run of a study, in all of its roles."""
 
     name: str
     program: str
-    case: Path
-    set: tuple[str, ...]
+    case: Path  # case file, or folder of a foam case; of program = "files" where those are
+    settings: tuple[str, ...]
     threads: int
     timed: bool  # alone on the machine
     may_break: bool  # an end before its time is a result, as of the bare equations that break up
-    role: str = "comparison"  # the first of several
+    roles: tuple[str, ...]
+    resolved: dict  # as `surge-compare study` tells what is to be computed
 
     @property
     def folder(self) -> Path:
@@ -65,20 +61,33 @@ class Run:
     def log(self) -> Path:
         return RUNS / f"{self.name}.log"
 
+    @property
+    def computed(self) -> bool:
+        """Whether it is ours to compute, and not the files of another program."""
+        return self.program != "files"
+
+    @property
+    def made_from_case_file(self) -> bool:
+        return self.case.suffix == ".toml"
+
     def inputs(self) -> dict[str, str]:
         """Everything that decides about the result, under the name that a person knows it by."""
-        inputs = {
-            "overrides": _digest(json.dumps(self.set)),
-            "threads": str(self.threads),
-        }
-        if self.program == "interFoam":
+        if not self.computed:
+            return {"files": _digest(*_listing(self.case))}
+        inputs = {"threads": str(self.threads)}
+        if self.program == "surge-particle":
+            case = dict(self.resolved["case"])
+            inputs["method"] = _digest(_text([case.pop("method", None), case.pop("search", None)]))
+            inputs["case"] = _digest(_text(case))
+            inputs["program"] = _program_digest("surge-particle")
+        elif self.made_from_case_file:
+            inputs["settings"] = _digest(_text([s for s in self.settings if s.startswith("foam.")]))
+            inputs["case"] = _digest(_text(self.resolved["case"]))
+            inputs["program"] = _digest(_program_digest("surge-foam"), *_files([_which("interFoam")]))
+        else:
+            inputs["settings"] = _digest(_text(self.settings))
             inputs["case"] = _digest(*_tree(self.case))
             inputs["program"] = _digest(*_files([_which("interFoam")]))
-        else:
-            inputs["case"] = _digest(_canonical(self.case))
-            presets = _presets(self.case, self.set)
-            inputs["preset"] = _digest(*[p.name + _canonical(p) for p in presets])
-            inputs["program"] = _program_digest("surge-particle")
         return inputs
 
     def digest(self) -> str:
@@ -89,6 +98,8 @@ class Run:
 
     def state(self) -> str:
         """`up to date`, or why the run has to be made."""
+        if not self.computed:
+            return "up to date"
         self._withdraw_broken_stamps()
         if self.stamp().exists():
             return "up to date"
@@ -98,12 +109,12 @@ class Run:
             return "failed or stopped last time" if tried else "not there yet"
         return f"changed: {_changes(stamps[0], self.inputs())}"
 
-
     def complete(self) -> bool:
         """Whether the program left a manifest that says that it came to its end."""
         try:
             manifest = json.loads((self.folder / "manifest.json").read_text(encoding="utf-8"))
-            return manifest["finished"] is True or self.may_break and manifest["finished"] is False
+            finished = manifest["finished"] is True and manifest.get("steps", 1) > 0
+            return finished or self.may_break and manifest["finished"] is False
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
@@ -117,18 +128,24 @@ class Run:
 
 @dataclass(frozen=True)
 class Study:
-    """A study file, as far as the workflow is concerned."""
+    """A study, as far as the workflow is concerned."""
 
     path: Path
-    files: tuple[Path, ...]  # itself and what it includes
+    head: dict  # all that is said besides the runs
     runs: tuple[Run, ...]
+
+    @property
+    def computed(self) -> tuple[Run, ...]:
+        return tuple(run for run in self.runs if run.computed)
 
     def inputs(self) -> dict[str, str]:
         """What decides about the report, besides the runs' own results."""
+        series = [Path(entry["file"]) for entry in self.head["published"]]
+        said = [self.head["said"], [(run.name, run.roles) for run in self.runs]]
         return {
-            "study": _digest(*[_canonical(file) for file in self.files]),
+            "study": _digest(_text(said)),
             "runs": _digest(*[run.digest() for run in self.runs]),
-            "reference": _digest(*_files(sorted(REFERENCE.glob("*.csv")))),
+            "reference": _digest(*_files(series)),
             "program": _program_digest("surge-compare"),
         }
 
@@ -139,7 +156,7 @@ class Study:
         stamp = self.report_stamp()
         if any(run.state() != "up to date" for run in self.runs):
             return "follows the runs"
-        newest = max(run.stamp().stat().st_mtime for run in self.runs)
+        newest = max((run.stamp().stat().st_mtime for run in self.computed), default=0.0)
         if stamp.exists():
             return "up to date" if stamp.stat().st_mtime >= newest else "older than a run"
         stamps = list(REPORT.glob(".finished-*"))
@@ -149,101 +166,31 @@ class Study:
 # --- reading a study -----------------------------------------------------------------------------
 
 
-def load(path: Path) -> Study:
-    """Reads and checks the [[run]] tables; the rest of the study is surge-compare's to check."""
-    path = Path(path)
-    files: dict[Path, Path] = {}  # as they are, as they were named
-    runs: dict[str, Run] = {}
-    _add_file(path, files, runs)
-    if not runs:
-        raise StudyError(f"{path}: run: found no [[run]] table, expected at least one")
-    return Study(path, tuple(files.values()), tuple(runs.values()))
-
-
-def _add_file(path: Path, files: dict[Path, Path], runs: dict[str, Run]) -> None:
-    """Adds the runs of the files that a study includes, then its own; no file counts twice."""
-    if path.resolve() in files:
-        return
-    files[path.resolve()] = path
+def load(path: Path, only: str = "") -> Study:
+    """The study as `surge-compare study` tells it, which reads and checks it; `only` one of its runs."""
+    program = PROGRAMS / "surge-compare"
+    command = [str(program), "study", str(path), "--json", "-", "--programs", str(PROGRAMS)]
+    if only:
+        command.append(f"--only={only}")
     try:
-        text = path.read_text(encoding="utf-8")
-        document = tomllib.loads(text)
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise StudyError(f"{path}: {error}") from error
-    included = document.get("include", [])
-    where = _lines(text, r"include\s*=") or [1]
-    if not isinstance(included, list) or not all(isinstance(name, str) for name in included):
-        raise StudyError(f"{path}:{where[0]}: include: found {included!r}, expected a list of studies")
-    for name in included:
-        if not (path.parent / name).is_file():
-            raise StudyError(f"{path}:{where[0]}: include: found '{name}', "
-                             "expected a study, named relative to this file")
-        _add_file(Path(os.path.normpath(path.parent / name)), files, runs)
-    tables = document.get("run", [])
-    lines = _lines(text, r"\[\[\s*run\s*\]\]")
-    if not isinstance(tables, list) or len(lines) != len(tables):
-        raise StudyError(f"{path}: run: found something else, expected [[run]] tables")
-    for table, line in zip(tables, lines):
-        for run in _repeats(table, f"{path}:{line}"):
-            known = runs.setdefault(run.name, run)
-            if replace(known, role=run.role, timed=run.timed) != run:
-                raise StudyError(f"{path}:{line}: name: found '{run.name}' a second time, "
-                                 "for another computation")
-            runs[run.name] = replace(known, timed=known.timed or run.timed)
+        told = subprocess.run(command, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        raise NotBuilt(f"{program}: not there yet, and it reads the studies; ./Allrun builds it") from None
+    if told.returncode != 0:
+        lines = told.stderr.strip().splitlines() or [f"{program}: it ended by itself ({told.returncode})"]
+        raise StudyError("\n".join(lines).removeprefix("surge-compare: "))
+    document = json.loads(told.stdout)
+    runs = tuple(_run(entry) for entry in document.pop("runs"))
+    said = {key: document[key] for key in document if key not in ("files", "published")}
+    said["published"] = [entry["name"] for entry in document["published"]]
+    return Study(Path(path), {"said": said, "published": document["published"]}, runs)
 
 
-def _lines(text: str, pattern: str) -> list[int]:
-    return [n for n, line in enumerate(text.splitlines(), 1) if re.match(r"\s*" + pattern, line)]
-
-
-def _repeats(table: dict, where: str) -> list[Run]:
-    """The run, and its repetitions, which differ from it in the name only."""
-    run = _run(table, where)
-    count = table.get("repeats", 1)
-    if type(count) is not int or not 1 <= count <= 99:
-        raise StudyError(f"{where}: repeats: found {count!r}, expected a whole number from 1 to 99")
-    return [run] + [replace(run, name=f"{run.name}-repeat{k}") for k in range(2, count + 1)]
-
-
-def _run(table: dict, where: str) -> Run:
-    def value(key, check, expected, default=None):
-        found = table.get(key, default)
-        if found is None or not check(found):
-            shown = "nothing" if found is None else repr(found)
-            raise StudyError(f"{where}: {key}: found {shown}, expected {expected}")
-        return found
-
-    for key in table:
-        if key not in RUN_KEYS:
-            expected = ", ".join(RUN_KEYS)
-            raise StudyError(f"{where}: {key}: found an unknown key, expected one of {expected}")
-    program = value("program", ("surge-particle", "interFoam").__contains__,
-                    "'surge-particle' or 'interFoam'")
-    role = value("role", ROLES.__contains__, f"one of {', '.join(ROLES)}", ROLES[0])
-    belongs = value("group", lambda found: isinstance(found, str), "a text", "")
-    if not belongs and role not in ROLES[:2]:
-        raise StudyError(f"{where}: group: found nothing, expected what a run of role {role} belongs to")
-    if program == "interFoam":
-        for setting in table.get("set", []):
-            if isinstance(setting, str) and "=" in setting and not FOAM_SETTING.fullmatch(setting):
-                raise StudyError(f"{where}: set: found {setting!r}, expected 'name=value' of letters, "
-                                 "digits, blanks and . + - ( ) _, which a dictionary takes as it is")
-    case_there = os.path.isdir if program == "interFoam" else os.path.isfile
-    is_text = lambda found: isinstance(found, str)
-    return Run(
-        name=value("name", lambda n: is_text(n) and re.fullmatch(r"[A-Za-z0-9][\w.-]*", n),
-                   "a name of letters, digits, '.', '_' and '-'"),
-        program=program,
-        case=Path(value("case", lambda c: is_text(c) and case_there(c),
-                        f"an existing {'foam case' if program == 'interFoam' else 'case file'}")),
-        set=tuple(value("set", lambda s: isinstance(s, list)
-                        and all(is_text(e) and re.match(r"[^=\s]+=", e) for e in s),
-                        "a list of 'key=value'", [])),
-        threads=value("threads", lambda t: type(t) is int and t >= 1, "a whole number >= 1", 1),
-        timed=value("timed", lambda t: type(t) is bool, "true or false", True),
-        may_break=value("may_break", lambda t: type(t) is bool, "true or false", False),
-        role=role,
-    )
+def _run(entry: dict) -> Run:
+    return Run(name=entry["name"], program=entry["program"], case=Path(entry["case"]),
+               settings=tuple(entry["settings"]), threads=entry["threads"], timed=entry["timed"],
+               may_break=entry["may_break"], resolved=entry["resolved"] or {},
+               roles=tuple(f"{role['role']} {role['group']}" for role in entry["roles"]))
 
 
 # --- digests -------------------------------------------------------------------------------------
@@ -257,38 +204,22 @@ def _digest(*parts: str | bytes) -> str:
     return total.hexdigest()
 
 
-@functools.cache
-def _canonical(path: Path) -> str:
-    """A TOML file without comments and layout: its values decide, not how they are written."""
-    text = path.read_text(encoding="utf-8")
-    try:
-        return json.dumps(tomllib.loads(text), sort_keys=True, default=str)
-    except tomllib.TOMLDecodeError:
-        return text  # the program will say what is wrong with it
-
-
-def _presets(case: Path, settings: tuple[str, ...]) -> list[Path]:
-    """The preset that a run uses and those that it extends; all of them where that is not clear."""
-    everything = sorted(PRESETS.glob("*.toml"))
-    try:
-        method = dict(tomllib.loads(case.read_text(encoding="utf-8")).get("method", {}))
-        for setting in settings:
-            key, value = setting.split("=", 1)
-            if key in ("method.name", "method.preset"):
-                method[key.removeprefix("method.")] = value.strip("\"'")
-        chain = [PRESETS / f"{method['name']}-{method['preset']}.toml"]
-        while base := tomllib.loads(chain[-1].read_text(encoding="utf-8")).get("extends"):
-            chain.append(PRESETS / f"{method['name']}-{base}.toml")
-            if chain[-1] in chain[:-1]:
-                return everything
-        return chain
-    except (OSError, ValueError, KeyError, AttributeError):
-        return everything
+def _text(value) -> str:
+    return json.dumps(value, sort_keys=True)
 
 
 def _files(paths) -> list[bytes]:
     """Names and contents of files, to be digested."""
     return [part for path in paths if path for part in (path.name.encode(), path.read_bytes())]
+
+
+def _listing(source: Path) -> list[str]:
+    """Names, sizes and times of another program's files: too large to be read for this."""
+    if "*" in source.name:
+        found = sorted(source.parent.glob(source.name))
+    else:
+        found = sorted(source.rglob("*")) if source.is_dir() else [source]
+    return [f"{path} {path.stat().st_size} {path.stat().st_mtime_ns}" for path in found if path.is_file()]
 
 
 def foam_files(case: Path) -> list[Path]:

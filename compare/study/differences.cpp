@@ -80,7 +80,8 @@ double slope_at(const DimensionlessFront& front, DimensionlessTime t) {
   return before && after ? (*after - *before).value() / (2.0 * half.value()) : 0.0;
 }
 
-/// Of a published point at T: its uncertainty in Z/L and that in T times the speed of the front.
+}  // namespace
+
 double published_uncertainty(const PublishedSeries& series, const DimensionlessFront& front,
                              DimensionlessTime t) {
   return std::hypot(series.position_uncertainty.value(),
@@ -88,7 +89,6 @@ double published_uncertainty(const PublishedSeries& series, const DimensionlessF
          coverage;
 }
 
-/// Root of the mean square over the published points that the front covers.
 double published_uncertainty_rms(const PublishedSeries& series, const DimensionlessFront& front,
                                  DimensionlessTime shift) {
   double squares = 0.0, n = 0.0;
@@ -100,6 +100,8 @@ double published_uncertainty_rms(const PublishedSeries& series, const Dimensionl
   }
   return n > 0.0 ? std::sqrt(squares / n) : 0.0;
 }
+
+namespace {
 
 json against_experiment(const StudyResult& study, const PublishedSeries& series,
                         const Sequence& vof, const json& metrics) {

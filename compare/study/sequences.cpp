@@ -5,6 +5,7 @@
 
 #include "compare/study/convergence.hpp"
 #include "compare/study/quantities.hpp"
+#include "compare/study/verdict.hpp"
 #include "particle/support/table.hpp"
 
 namespace surge::compare {
@@ -167,6 +168,29 @@ json counts_json(const json& sequences) {
 
 }  // namespace
 
+namespace {
+
+/// The runs of the comparison that are levels too, of spacings that the group's own runs do not
+/// have. A group of one spacing refines the time step, and has none.
+void add_compared_runs(const StudyResult& study, Sequence& sequence) {
+  const auto spacing = [](const SequenceLevel& level) {
+    return level.run->measured->run.spacing.value();
+  };
+  const bool over_spacing = std::any_of(
+      sequence.levels.begin(), sequence.levels.end(),
+      [&](const auto& level) { return differ(spacing(level), spacing(sequence.levels.front())); });
+  if (!over_spacing) return;
+  for (const RunResult* run : refinements_of(study, *sequence.levels.front().run)) {
+    const bool known = std::any_of(
+        sequence.levels.begin(), sequence.levels.end(), [&](const SequenceLevel& level) {
+          return !differ(spacing(level), run->measured->run.spacing.value());
+        });
+    if (!known && run->study.threads == 1) sequence.levels.push_back({run, 0.0});
+  }
+}
+
+}  // namespace
+
 std::vector<Sequence> sequences_of(const StudyResult& study) {
   std::vector<Sequence> sequences;
   for (const RunResult* run : study.runs_of(Role::convergence)) {
@@ -182,6 +206,7 @@ std::vector<Sequence> sequences_of(const StudyResult& study) {
     (run->study.threads == 1 ? place->levels : place->others).push_back({run, 0.0});
   }
   std::erase_if(sequences, [](const Sequence& s) { return s.levels.empty(); });
+  for (Sequence& sequence : sequences) add_compared_runs(study, sequence);
   for (Sequence& sequence : sequences) set_sizes(sequence);
   return sequences;
 }

@@ -46,6 +46,15 @@ inline constexpr double numerical_coverage = 1.15;
 /// many standard uncertainties.
 inline constexpr double coverage = 2.0;
 
+/// Standard uncertainty in Z/L of a published point at T: that of its reading, and that of its time
+/// times the speed of the front.
+[[nodiscard]] double published_uncertainty(const PublishedSeries& series,
+                                           const DimensionlessFront& front, DimensionlessTime t);
+/// Root of the mean square over the published points that the front covers, shifted in time.
+[[nodiscard]] double published_uncertainty_rms(const PublishedSeries& series,
+                                               const DimensionlessFront& front,
+                                               DimensionlessTime shift);
+
 /// convergence: levels, orders, extrapolated values and indices by sequence and quantity.
 void measure_sequences(const StudyResult& study, const std::vector<Sequence>& sequences,
                        nlohmann::json& metrics);

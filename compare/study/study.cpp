@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "compare/study/run_table.hpp"
 #include "particle/support/toml.hpp"
 
 namespace surge::compare {
@@ -13,38 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 2> programs{"surge-particle", "interFoam"};
 /// Papers whose statements can be judged.
 constexpr std::array<std::string_view, 1> papers{"alves_dreux"};
-constexpr std::array<std::string_view, 5> roles{"comparison", "timing", "sensitivity",
-                                                "convergence", "verification"};
-
-StudyRun read_run(const TomlTable& table) {
-  StudyRun run;
-  run.name = table.text("name");
-  if (run.name.empty() || run.name.find_first_of("/\\ \t*") != std::string::npos) {
-    throw table.error("name", "\"" + run.name + "\"", "a folder's name without / * or blanks");
-  }
-  run.program = programs[table.choice("program", programs)];
-  run.case_path = table.text("case");
-  if (table.has("set")) run.settings = table.texts("set");
-  for (const std::string& setting : run.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw table.error("set", "\"" + setting + "\"", "\"key=value\"");
-  }
-  run.threads = static_cast<int>(table.integer_or("threads", 1, surge::Bounds::closed(1, 4096)));
-  if (table.has("role")) run.role = static_cast<Role>(table.choice("role", roles));
-  run.group = table.text_or("group", "");
-  if (run.group.empty() && run.role != Role::comparison && run.role != Role::timing) {
-    throw table.error("group", table.has("group") ? "\"\"" : "nothing",
-                      "what a run of role " + std::string(role_text(run.role)) + " belongs to");
-  }
-  // Of no concern here: compare/studies/study.py, which schedules the runs, goes by them.
-  static_cast<void>(table.boolean_or("timed", true));
-  static_cast<void>(table.boolean_or("may_break", false));
-  return run;
-}
 
 /// A study that is being put together from its files.
 class Collector {
@@ -52,17 +23,21 @@ class Collector {
   /// A file that was read before, however it is reached, adds nothing.
   void add_file(const fs::path& file) {
     if (!files_.insert(fs::weakly_canonical(file)).second) return;
+    study_.files.push_back(file);
     const TomlTable root = TomlTable::read(file);
     read_head(root);
     if (root.has("include")) {
       for (const std::string& name : root.texts("include")) {
-        const fs::path included = file.parent_path() / name;
+        const fs::path included = (file.parent_path() / name).lexically_normal();
         if (!fs::is_regular_file(included))
           throw root.error("include", "\"" + name + "\"", "a study, named relative to this file");
         add_file(included);
       }
     }
-    for (const TomlTable& table : root.tables("run")) add_repeats(table);
+    const std::optional<TomlTable> defaults = root.optional_table("defaults");
+    if (defaults) check_defaults(*defaults);
+    for (const TomlTable& table : root.tables("run"))
+      for (const StudyRun& run : read_runs(table, defaults)) add(run, table);
     root.finish();
   }
 
@@ -87,7 +62,7 @@ class Collector {
       return run.name == study_.reference && run.role == Role::comparison;
     };
     if (std::none_of(study_.runs.begin(), study_.runs.end(), is_reference)) {
-      throw Error(reference_place_ + ": found \"" + study_.reference +
+      throw Error(study_.reference_place + ": found \"" + study_.reference +
                   "\", expected the name of one of the runs of role comparison");
     }
     return std::move(study_);
@@ -101,13 +76,19 @@ class Collector {
   void read_head(const TomlTable& root) {
     if (root.has("title")) keep(title_, root.text("title"));
     if (root.has("reference")) {
-      if (!reference_) reference_place_ = root.place("reference");
+      if (!reference_) study_.reference_place = root.place("reference");
       keep(reference_, root.text("reference"));
     }
     if (root.has("strip_height"))
       keep(strip_height_, Metres(root.number("strip_height", surge::Bounds::above(0.0))));
-    if (root.has("snapshot_times")) keep(snapshot_times_, increasing_times(root));
-    if (root.has("published")) keep(published_, root.texts("published"));
+    if (root.has("snapshot_times")) {
+      if (!snapshot_times_) study_.snapshot_place = root.place("snapshot_times");
+      keep(snapshot_times_, increasing_times(root));
+    }
+    if (root.has("published")) {
+      if (!published_) study_.published_place = root.place("published");
+      keep(published_, root.texts("published"));
+    }
     if (root.has("claims")) keep(claims_, std::string(papers[root.choice("claims", papers)]));
   }
 
@@ -128,16 +109,6 @@ class Collector {
     if (!entry) entry = std::move(found);
   }
 
-  void add_repeats(const TomlTable& table) {
-    StudyRun run = read_run(table);
-    const std::string name = run.name;
-    const auto repeats = table.integer_or("repeats", 1, surge::Bounds::closed(1, 99));
-    for (long k = 1; k <= repeats; ++k) {
-      if (k > 1) run.name = name + "-repeat" + std::to_string(k);
-      add(run, table);
-    }
-  }
-
   void add(const StudyRun& run, const TomlTable& table) {
     for (const StudyRun& other : study_.runs) {
       if (other.name != run.name) continue;
@@ -145,7 +116,7 @@ class Collector {
         throw table.error("name", "\"" + run.name + "\" a second time, for another computation",
                           "different names, or the same program, case, set and threads");
       }
-      if (other == run) return;
+      if (other.role == run.role && other.group == run.group) return;
     }
     study_.runs.push_back(run);
   }
@@ -153,7 +124,6 @@ class Collector {
   Study study_;
   std::set<fs::path> files_;
   std::optional<std::string> title_, reference_, claims_;
-  std::string reference_place_;
   std::optional<Metres> strip_height_;
   std::optional<std::vector<Seconds>> snapshot_times_;
   std::optional<std::vector<std::string>> published_;
@@ -161,13 +131,26 @@ class Collector {
 
 }  // namespace
 
-std::string_view role_text(Role role) {
-  return roles[static_cast<std::size_t>(role)];
-}
-
 bool StudyRun::computes_the_same_as(const StudyRun& other) const {
   return program == other.program && case_path == other.case_path && settings == other.settings &&
-         threads == other.threads;
+         threads == other.threads && map == other.map && read == other.read;
+}
+
+fs::path series_file(const Study& study, const std::string& name, const fs::path& folder) {
+  std::vector<fs::path> places;
+  if (!folder.empty()) {
+    places.push_back(folder / (name + ".csv"));
+  } else {
+    for (const fs::path& file : study.files) {
+      places.push_back(file.parent_path() / (name + ".csv"));
+      places.push_back(file.parent_path() / ".." / "reference" / (name + ".csv"));
+    }
+    places.push_back(fs::path("compare/reference") / (name + ".csv"));
+  }
+  for (const fs::path& place : places)
+    if (fs::is_regular_file(place)) return place.lexically_normal();
+  throw Error(study.published_place + ": found \"" + name + "\", expected the name of a series: " +
+              places.back().parent_path().string() + "/NAME.csv, or NAME.csv beside the study");
 }
 
 Study read_study(const fs::path& file) {

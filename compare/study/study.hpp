@@ -1,10 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "compare/read/run.hpp"
 #include "compare/read/units.hpp"
 
 namespace surge::compare {
@@ -19,19 +22,33 @@ enum class Role {
 };
 [[nodiscard]] std::string_view role_text(Role role);
 
-/// One computation of a study, in one role.
+/// One computation of a study, in one role; or, program = "files", what another program has left.
 struct StudyRun {
   std::string name;                   ///< folder under runs/
-  std::string program;                ///< "surge-particle" or "interFoam"
-  std::filesystem::path case_path;    ///< as written, relative to the repository
+  std::string program;                ///< "surge-particle", "interFoam" or "files"
+  std::filesystem::path case_path;    ///< as written; of files: their folder, file or pattern
+  std::filesystem::path case_file;    ///< where that is, from the working folder
   std::vector<std::string> settings;  ///< "key=value"
   int threads = 1;
+  bool timed = true;       ///< alone on the machine
+  bool may_break = false;  ///< an end before its time is a result, as of equations that break up
   Role role = Role::comparison;
-  std::string group;  ///< never empty in the roles that explain it above
+  std::string group;                         ///< never empty in the roles that explain it above
+  std::optional<std::filesystem::path> map;  ///< files: says what their arrays are
+  std::vector<std::pair<std::string, std::string>> read;  ///< files: options, as on a command line
+  std::string place;        ///< file:line of its table, for errors about it
+  SourceOptions source;     ///< what `read` says, once an interface has understood it
+  nlohmann::json resolved;  ///< what it is to compute, see check_study(); null before
 
+  [[nodiscard]] bool is_files() const { return program == "files"; }
+  /// Whether a case file says what is computed, and not the folder of an OpenFOAM case.
+  [[nodiscard]] bool made_from_case_file() const { return case_path.extension() == ".toml"; }
   /// Whether the other is the same computation, in whatever role.
   [[nodiscard]] bool computes_the_same_as(const StudyRun& other) const;
-  [[nodiscard]] bool operator==(const StudyRun& other) const = default;
+  /// Its folder below that of the runs, or where its files are.
+  [[nodiscard]] std::filesystem::path folder(const std::filesystem::path& runs) const {
+    return is_files() ? case_file : runs / name;
+  }
 };
 
 /// compare/studies/*.toml
@@ -41,17 +58,32 @@ struct Study {
   std::string reference;
   Metres strip_height;
   std::vector<Seconds> snapshot_times;
-  std::vector<std::string> published;  ///< compare/reference/<name>.csv
+  std::vector<std::string> published;  ///< names, see series_file()
   /// Whose statements the runs are held against, the name of a folder beside the study; empty:
   /// nobody's.
   std::string claims;
   /// Those of the included files, then the file's own. A run stands here once in each role and
   /// group that it has.
   std::vector<StudyRun> runs;
+  std::vector<std::filesystem::path> files;  ///< itself and what it includes
+  std::string published_place;               ///< file:line of the entry, for errors about it
+  std::string reference_place;
+  std::string snapshot_place;
 };
 
-/// Reads a study and all that it includes. One whose runs are all of role verification needs no
-/// more than a title. A head entry that the study does not have (title,
+/// The file of a published series: NAME.csv in `folder` where that is given, else beside the study,
+/// in ../reference beside it, or in compare/reference of the working folder. Throws surge::Error
+/// where there is none.
+[[nodiscard]] std::filesystem::path series_file(const Study& study, const std::string& name,
+                                                const std::filesystem::path& folder = {});
+
+/// `named` relative to `folder` if it exists there, else as it is, relative to the working folder.
+[[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& folder,
+                                             const std::filesystem::path& named);
+
+/// Reads a study and all that it includes, as far as the files of the study themselves say it; what
+/// they name is held against the disk and the programs by check_study(). One whose runs are all of
+/// role verification needs no more than a title. A head entry that the study does not have (title,
 /// reference, strip_height, snapshot_times, published, claims) is that of the first included file
 /// that has it. Throws surge::Error with file:line for unknown, missing or impossible values, and
 /// where two runs of one name compute different things.

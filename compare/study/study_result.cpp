@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <optional>
 #include <set>
 
+#include "compare/read/recorded.hpp"
+#include "compare/study/identity.hpp"
+#include "compare/study/run_fault.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/table.hpp"
 
@@ -58,14 +60,36 @@ WallRule wall_of(const Physics& physics) {
   return rule;
 }
 
-MeasuredRun measure_reference(const Study& study, const fs::path& folder,
+MeasuredRun measure_folder(const StudyRun& run, const fs::path& folder,
+                           const FrontOptions& options) {
+  return guarded(run.name, folder, [&] {
+    Run source = open_run(folder, run.source);
+    source.name = run.name;
+    guard_frames(source, run.name);
+    return measure(std::move(source), options);
+  });
+}
+
+MeasuredRun measure_reference(const Study& study, const fs::path& runs, const Faults& known,
                               const FrontOptions& options) {
   const std::string what = "reference run " + study.reference + ": ";
-  if (!fs::exists(folder)) {
+  const auto is_reference = [&](const StudyRun& run) {
+    return run.name == study.reference && run.role == Role::comparison;
+  };
+  const StudyRun& run = *std::find_if(study.runs.begin(), study.runs.end(), is_reference);
+  const fs::path folder = run.folder(runs);
+  if (!run.is_files() && !fs::exists(folder))
     throw Error(what + folder.string() + " does not exist, expected the run's folder");
-  }
+  if (const auto fault = known.find(run.name); fault != known.end())
+    throw Error(what + fault->second);
   try {
-    return measure(open_run(folder), options);
+    if (fs::exists(folder / "manifest.json")) {
+      const auto other = guarded(run.name, folder, [&] {
+        return other_run(run, folder, read_manifest(folder / "manifest.json"));
+      });
+      if (other) throw Error(folder.string() + ": " + *other);
+    }
+    return measure_folder(run, folder, options);
   } catch (const Error& error) {
     throw Error(what + error.what());
   }
@@ -74,11 +98,14 @@ MeasuredRun measure_reference(const Study& study, const fs::path& folder,
 /// Sets the run's status; gives the measured run where it may stand beside the reference.
 std::optional<MeasuredRun> measure_run(RunResult& result, const MeasuredRun& reference,
                                        const FrontOptions& options) {
-  if (!fs::exists(result.folder)) return std::nullopt;
+  const bool missing = result.status == RunStatus::missing && !result.study.is_files();
+  if (missing || !result.readable) return std::nullopt;
   try {
-    MeasuredRun measured = measure(open_run(result.folder), options);
-    require_comparable(measured, reference, wall_of(reference.run.physics), result.study.role);
-    return measured;
+    return guarded(result.study.name, result.folder, [&] {
+      MeasuredRun measured = measure_folder(result.study, result.folder, options);
+      require_comparable(measured, reference, wall_of(reference.run.physics), result.study.role);
+      return measured;
+    });
   } catch (const Error& error) {
     result.status = RunStatus::unusable;
     result.note = error.what();
@@ -87,29 +114,42 @@ std::optional<MeasuredRun> measure_run(RunResult& result, const MeasuredRun& ref
 }
 
 /// What the files say without a look at the flow.
-RunResult find_run(const StudyRun& run, const fs::path& folder) {
-  RunResult result{run, folder, RunStatus::missing, "", nullptr, nullptr};
+RunResult find_run(const StudyRun& run, const fs::path& folder, const Faults& known) {
+  RunResult result;
+  result.study = run;
+  result.folder = folder;
+  const auto unusable = [&](const std::string& why) {
+    result.status = RunStatus::unusable;
+    result.note = why;
+    result.readable = false;
+    return result;
+  };
+  if (const auto fault = known.find(run.name); fault != known.end()) return unusable(fault->second);
+  const fs::path file = folder / "manifest.json";
+  if (run.is_files() && !fs::exists(file)) return result;  // opening them says what is there
   if (!fs::exists(folder)) {
     result.note = folder.string() + " does not exist";
     return result;
   }
-  std::ifstream in(folder / "manifest.json");
-  const nlohmann::json manifest = nlohmann::json::parse(in, nullptr, false);
-  result.status = RunStatus::unusable;
-  if (!manifest.is_object()) {
-    result.note = (folder / "manifest.json").string() + " is missing or not readable";
+  try {
+    result.manifest = guarded(run.name, file, [&] { return read_manifest(file); });
+  } catch (const Error& error) {
+    unusable(error.what());
+    result.readable = !fs::exists(file);  // a foam run that was killed has none, but its fields
     return result;
   }
-  result.manifest = manifest;
-  const bool finished = manifest.value("finished", false);
+  if (const auto other = other_run(run, folder, result.manifest)) return unusable(*other);
+  const bool finished = result.manifest.value("finished", false);
   result.status = finished ? RunStatus::complete : RunStatus::unfinished;
-  if (!finished) result.note = manifest.value("stopped", "not finished");
+  if (!finished) result.note = result.manifest.value("stopped", "not finished");
   return result;
 }
 
 void take_front(RunResult& result, const MeasuredRun& measured) {
   result.measured = &measured;
-  const bool finished = is_finished(measured.run);
+  // Nothing says whether the files of another program are all of them.
+  const bool finished =
+      is_finished(measured.run) || (result.study.is_files() && measured.run.manifest.is_null());
   result.status = finished ? RunStatus::complete : RunStatus::unfinished;
   result.note = note_of(measured, finished);
 }
@@ -204,7 +244,9 @@ void measure_known_flow(StudyResult& study, RunResult& entry) {
   if (entry.study.role != Role::verification || entry.status != RunStatus::complete) return;
   try {
     study.flows.emplace(std::pair{entry.study.group, entry.study.name},
-                        measure_flow(entry.study.group, entry.folder, entry.manifest));
+                        guarded(entry.study.name, entry.folder, [&] {
+                          return measure_flow(entry.study.group, entry.folder, entry.manifest);
+                        }));
   } catch (const Error& error) {
     entry.status = RunStatus::unusable;
     entry.note = error.what();
@@ -213,28 +255,29 @@ void measure_known_flow(StudyResult& study, RunResult& entry) {
 
 }  // namespace
 
-StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder) {
+StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder,
+                    const Faults& known) {
   StudyResult result;
   result.study = study;
   for (const auto& name : study.published) {
-    result.published.push_back(read_series(series_folder / (name + ".csv")));
+    result.published.push_back(read_series(series_file(study, name, series_folder)));
   }
   const FrontOptions options = result.front_options();
   // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
   result.measured_others.reserve(study.runs.size());
   if (result.has_reference())
-    result.measured_runs.push_back(measure_reference(study, runs / study.reference, options));
+    result.measured_runs.push_back(measure_reference(study, runs, known, options));
   for (const auto& run : study.runs) {
-    RunResult entry = find_run(run, runs / run.name);
+    RunResult entry = find_run(run, run.folder(runs), known);
     const bool story = run.role == Role::comparison;
     auto& fronts = story ? result.measured_runs : result.measured_others;
     if (has_front(run.role)) {
       const MeasuredRun& reference = result.measured_runs.front();
       if (story && run.name == study.reference) {
         take_front(entry, reference);
-      } else if (const RunResult* known = twin(result, entry); known && known->measured && !story) {
-        take_front(entry, *known->measured);
+      } else if (const RunResult* same = twin(result, entry); same && same->measured && !story) {
+        take_front(entry, *same->measured);
       } else if (auto measured = measure_run(entry, reference, options)) {
         take_front(entry, fronts.emplace_back(std::move(*measured)));
       }

@@ -29,6 +29,7 @@ struct RunResult {
   RunStatus status = RunStatus::missing;
   std::string note;         ///< why it is not complete, or what is wrong with its front
   nlohmann::json manifest;  ///< null where there is none
+  bool readable = true;     ///< false: nothing of its files is to be believed
   /// Its front, in StudyResult: of complete and unfinished runs, where the role asks for one.
   const MeasuredRun* measured = nullptr;
 
@@ -71,11 +72,16 @@ struct StudyResult {
   mutable std::map<std::string, PatternHistory> patterns_;
 };
 
+/// Runs that were found to be unusable, by name, and why.
+using Faults = std::map<std::string, std::string>;
+
 /// Finds each run's status, and the fronts of those that can be compared with the reference: of
 /// the roles comparison, sensitivity (whose runs may have another wall condition) and convergence.
 /// Published series are read from `series_folder`. Throws Error where the reference cannot be
-/// measured; any other run's failure becomes its status.
+/// measured; any other run's failure becomes its status. What is read later, frames for pictures
+/// and the like, throws RunFault: `known` then has it, in another call.
 [[nodiscard]] StudyResult collect(const Study& study, const std::filesystem::path& runs,
-                                  const std::filesystem::path& series_folder);
+                                  const std::filesystem::path& series_folder,
+                                  const Faults& known = {});
 
 }  // namespace surge::compare

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compare/study/run_fault.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -23,7 +24,7 @@ WallPressureResult find(const RunResult& result, const Vec3& place) {
     return out;
   }
   try {
-    out.signal = read_wall_pressure(run);
+    out.signal = guarded(result.study.name, run.path, [&] { return read_wall_pressure(run); });
   } catch (const Error& error) {
     out.note = error.what();
     return out;

@@ -1,5 +1,7 @@
 #include "particle/io/computation.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "particle/case/case_checks.hpp"
@@ -21,6 +23,8 @@ void read_method(const TomlTable& root, Computation& computation) {
   if (table.has("preset")) {
     const std::vector<std::string_view> known(presets.begin(), presets.end());
     computation.preset = presets[table.choice("preset", known)];
+  } else if (std::find(presets.begin(), presets.end(), computation.preset) == presets.end()) {
+    computation.preset = presets.front();  // no paper states this method
   }
   // A file may hold a table for each method; all are checked, one is used.
   for (const Method& method : methods()) {

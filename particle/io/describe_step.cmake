@@ -4,13 +4,14 @@
 #
 # Taken are functions called by their plain name: neither std::min nor report.add. The comment's first
 # line counts; "Eq. (4)" or "Eqs. (4), (5)" at its end is taken apart. A function without a comment
-# gets an empty text.
+# gets an empty text. A call that is made only with some options names them behind it, as
+#   if (...) shift_particles(dt);  // if shifting
+# `// if a or b=c`: a is not zero, none or empty, or b is c; names of options or of parts of a case.
 string(REPLACE "|" ";" METHODS "${METHODS}")
 
-# The body of step() without comments.
+# The body of step(), with its comments.
 function(step_body file result)
   file(READ "${file}" text)
-  string(REGEX REPLACE "//[^\n]*" "" text "${text}")
   string(FIND "${text}" "StepReport Solver<D>::step(" start)
   if(start EQUAL -1)
     message(FATAL_ERROR "${file}: found no StepReport Solver<D>::step(, expected one")
@@ -36,7 +37,8 @@ endfunction()
 set(source "#include \"particle/io/method_sheet.hpp\"\n\nnamespace surge {\n\nnamespace {\n\n")
 foreach(method IN LISTS METHODS)
   set(folder "${SOURCE_DIR}/${method}")
-  step_body("${folder}/solver.cpp" body)
+  step_body("${folder}/solver.cpp" commented)
+  string(REGEX REPLACE "//[^\n]*" "" body "${commented}")
   # A ; would end an entry of the list; foo<D>( is a call of foo.
   string(REPLACE ";" " " body "${body}")
   string(REGEX REPLACE "<[^<>()]*>\\(" "(" body "${body}")
@@ -54,7 +56,12 @@ foreach(method IN LISTS METHODS)
       set(comment "${CMAKE_MATCH_1}")
       set(equations "${CMAKE_MATCH_2}")
     endif()
-    string(APPEND source "    {\"${name}\", R\"text(${comment})text\", \"${equations}\"},\n")
+    set(options "")
+    if(commented MATCHES "[^A-Za-z0-9_]${name}\\([^\n]*// if ([a-z0-9_= ]+)")
+      string(STRIP "${CMAKE_MATCH_1}" options)
+    endif()
+    string(APPEND source
+           "    {\"${name}\", R\"text(${comment})text\", \"${equations}\", \"${options}\"},\n")
   endforeach()
   string(APPEND source "};\n\n")
 endforeach()

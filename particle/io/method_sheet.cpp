@@ -29,8 +29,10 @@ json sampled(const RadialFunction& function) {
 json stages_json(std::span<const Stage> stages) {
   json out = json::array();
   for (const Stage& stage : stages) {
-    out.push_back(
-        {{"function", stage.function}, {"does", stage.does}, {"equations", stage.equations}});
+    out.push_back({{"function", stage.function},
+                   {"does", stage.does},
+                   {"equations", stage.equations},
+                   {"if", stage.options}});
   }
   return out;
 }

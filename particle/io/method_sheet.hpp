@@ -13,6 +13,7 @@ struct Stage {
   std::string_view function;
   std::string_view does;       ///< first line of the comment on its declaration
   std::string_view equations;  ///< "Eq. (20)"; empty where the comment names none
+  std::string_view options;  ///< "a or b=c": called where option a is on, or b is c; empty: always
 };
 
 /// The step of a method, in the order of the source. Defined in a source that the build generates.
@@ -22,7 +23,7 @@ struct Stage {
 /// sampled from the very functions that the solver calls, and the functions of a time step:
 ///   {"method", "dimension", "spacing_m", "length_m" (h, SPH only),
 ///    "functions": [{"name", "unit", "support_m", "r_m": [...], "value": [...]}],
-///    "loop": {"start", "until", "step"}, "stages": [{"function", "does", "equations"}]}
+///    "loop": {"start", "until", "step"}, "stages": [{"function", "does", "equations", "if"}]}
 /// Samples are equidistant from 0 (MPS: from the first step, because w(0) is infinite) to a tenth
 /// beyond the support.
 template <int D>

@@ -101,7 +101,7 @@ StepReport Solver<D>::step(double dt_limit) {
   StepReport report;
   const double dt = std::min(stable_step(), dt_limit);
   apply_body_forces(dt);
-  if (!movers_.empty()) place_moving_walls(dt);
+  if (!movers_.empty()) place_moving_walls(dt);  // if moving_walls
   move(dt, s_.p.v, report);
   walls_.move_walls(s_.time + dt, s_.time + dt);
   find_neighbours();
@@ -110,7 +110,7 @@ StepReport Solver<D>::step(double dt_limit) {
   find_free_surface();
   solve_pressure(dt, report);
   correct(dt, report);
-  if (params_.shifting > 0.0) shift_particles(dt, report);
+  if (params_.shifting > 0.0) shift_particles(dt, report);  // if shifting
   measure_speed(report);
   s_.time += dt;
   ++s_.steps;

@@ -106,11 +106,12 @@ StepReport Solver<D>::step(double dt_limit) {
   kick(start, start, middle);
   sort_particles(dt);
   half_drift(dt);
-  if (!movers_.empty()) place_moving_walls(middle);
+  if (!movers_.empty()) place_moving_walls(middle);  // if moving_walls
   apply_continuity(dt);
-  if (shifting_ || difference_) survey_surroundings(dt);
+  if (shifting_ || difference_)
+    survey_surroundings(dt);  // if shifting or negative_pressure=difference
   drift(dt, report);
-  if (!movers_.empty()) place_moving_walls(end);
+  if (!movers_.empty()) place_moving_walls(end);  // if moving_walls
   apply_equation_of_state(end, report);
   apply_momentum();
   kick(end, middle, end);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "particle/support/error.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge {
 
@@ -34,7 +34,7 @@ void write_rows(const std::filesystem::path& file, const std::vector<std::string
     out << '\n';
   }
   out.close();
-  if (!out) throw Error(file.string() + ": cannot be written");
+  if (!out) throw write_error(file);
 }
 
 }  // namespace

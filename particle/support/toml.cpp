@@ -20,6 +20,14 @@ std::optional<double> as_number(const toml::node& node) {
   return std::nullopt;
 }
 
+std::optional<std::string> as_scalar(const toml::node& node) {
+  if (const auto* value = node.as_string()) return value->get();
+  if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
+  if (const auto* value = node.as_integer()) return std::to_string(value->get());
+  if (const auto* value = node.as_floating_point()) return number_text(value->get());
+  return std::nullopt;
+}
+
 std::string with_bounds(std::string_view noun, Bounds bounds) {
   const std::string limits = bounds.text();
   return std::string(noun) + (limits.empty() ? "" : " " + limits);
@@ -156,6 +164,25 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   return values;
 }
 
+std::string TomlTable::scalar(std::string_view key) const {
+  const std::string expected = "a text, a number, true or false";
+  const toml::node& node = Access::require(*this, key, expected);
+  const auto value = as_scalar(node);
+  if (!value) throw error(key, describe(node), expected);
+  return *value;
+}
+
+std::vector<std::string> TomlTable::scalars(std::string_view key) const {
+  const std::string expected = "a list of texts, numbers or truth values";
+  std::vector<std::string> values;
+  for (const toml::node& element : Access::array(*this, key, expected)) {
+    const auto value = as_scalar(element);
+    if (!value) throw error(key, describe(element) + " in the list", expected);
+    values.push_back(*value);
+  }
+  return values;
+}
+
 std::vector<std::vector<double>> TomlTable::matrix(std::string_view key,
                                                    std::optional<std::size_t> rows,
                                                    std::size_t columns) const {
@@ -197,6 +224,11 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
 
 bool TomlTable::has(std::string_view key) const {
   return Access::find(*this, key) != nullptr;
+}
+
+bool TomlTable::has_table(std::string_view key) const {
+  const toml::node* node = as_table(table_).get(key);
+  return node != nullptr && node->is_table();
 }
 
 bool TomlTable::overridden(std::string_view key) const {

@@ -46,6 +46,10 @@ class TomlTable {
                                             std::optional<std::size_t> length = {},
                                             Bounds bounds = {}) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+  /// A text, number or truth value as text; numbers with as many digits as they need.
+  [[nodiscard]] std::string scalar(std::string_view key) const;
+  /// A list of them.
+  [[nodiscard]] std::vector<std::string> scalars(std::string_view key) const;
   /// A list of `rows` lists (of any number where that is not given) of `columns` numbers.
   [[nodiscard]] std::vector<std::vector<double>> matrix(std::string_view key,
                                                         std::optional<std::size_t> rows,
@@ -56,6 +60,8 @@ class TomlTable {
 
   // Entries that may be missing.
   [[nodiscard]] bool has(std::string_view key) const;
+  /// Whether there is an entry and it is a table. Does not count as asking for it.
+  [[nodiscard]] bool has_table(std::string_view key) const;
   /// Whether an entry came by an override.
   [[nodiscard]] bool overridden(std::string_view key) const;
   [[nodiscard]] double number_or(std::string_view key, double otherwise, Bounds bounds = {}) const {

@@ -33,12 +33,38 @@ class SyntheticStudy {
     std::vector<double> times;
     const double end = finished ? 0.22 : 0.1;
     for (double t = 0.0; t <= end + 1e-9; t += 0.01) times.push_back(t);
-    write_run(
-        folder_ / ("runs/" + name), times,
-        [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); },
-        manifest);
+    write_run(folder_ / ("runs/" + name), times, front_with(lead), manifest);
     if (method != "vof") write_sheet(name, method);
     write_steps(name, method, finished ? 0.5 : end);
+  }
+
+  /// Two coarser levels of a run with the same front, so that refining it says that it is exact.
+  /// `settings`: what its table says in `set`.
+  void refine(const std::string& name, const std::string& method, double lead,
+              const std::string& settings = "") const {
+    std::ofstream study(this->study(), std::ios::app);
+    for (const double spacing : {0.0145, 0.029}) {
+      const std::string level = name + "-at-" + std::to_string(spacing);
+      nlohmann::json manifest = dam_break_manifest();
+      manifest["case"]["method"]["name"] = method;
+      manifest["case"]["spacing"] = spacing;
+      std::vector<double> times;
+      for (double t = 0.0; t <= 0.22 + 1e-9; t += 0.01) times.push_back(t);
+      write_run(folder_ / ("runs/" + level), times, front_with(lead), manifest);
+      study << "[[run]]\nname = \"" << level
+            << "\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nset = [" << settings
+            << "]\nrole = \"convergence\"\ngroup = \"" << name << ", spacing\"\n";
+    }
+  }
+  /// Of all three runs.
+  void refine_all(double mps = 0.02, double sph = -0.05) const {
+    refine("vof-20", "vof", 0.0);
+    refine("mps-a", "mps", mps * length);
+    refine("sph-a", "sph", sph * length);
+  }
+
+  static std::function<double(double)> front_with(double lead) {
+    return [lead](double t) { return length + 2.0 * t + (t > 0.0 ? lead + 0.0001 : 0.0001); };
   }
 
   /// The probe on the wall, in units of rho g H = 2844.9 Pa: 1 for the reference, 2 for MPS, and

@@ -112,6 +112,9 @@ TEST(MethodSheet, StagesNameTheEquationsOfThePaper) {
   for (const char* number : {"(20)", "(21)", "(22)", "(23)", "(24)", "(25)"})
     EXPECT_THAT(equations, testing::HasSubstr(number));
   EXPECT_EQ(sheet["loop"]["until"], "RunLoop::run");
+  std::string options;
+  for (const json& stage : sheet["stages"]) options += stage["if"].get<std::string>() + ";";
+  EXPECT_THAT(options, testing::HasSubstr("shifting or negative_pressure=difference;"));
 }
 
 // What the build's script makes of a source: calls by plain name in their order, comments of the
@@ -139,7 +142,7 @@ void Solver<D>::other() { hidden(); }
 StepReport Solver<D>::step(double dt_limit) {
   // commented_out();
   const double dt = std::min(step_size(), dt_limit);
-  if (dt > 0) move(dt, p_.size());
+  if (dt > 0) move(dt, p_.size());  // if shifting or source=new
   weigh<D>(dt); report.add(1);
   return report;
 }
@@ -151,9 +154,9 @@ void f() { after(); }
                               "' -P '" SURGE_SOURCE_DIR "/particle/io/describe_step.cmake'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   EXPECT_THAT(test::read_text(output), testing::HasSubstr(R"list(list_of_toy[] = {
-    {"step_size", R"text()text", ""},
-    {"move", R"text(Moves it)text", "Eqs. (1), (2)"},
-    {"weigh", R"text(Weighs it; with care)text", ""},
+    {"step_size", R"text()text", "", ""},
+    {"move", R"text(Moves it)text", "Eqs. (1), (2)", "shifting or source=new"},
+    {"weigh", R"text(Weighs it; with care)text", "", ""},
 };)list"));
 }
 

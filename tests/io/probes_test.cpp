@@ -79,7 +79,8 @@ TEST(Probes, FeelWaterThatCoversThemByHalf) {
 TEST(Probes, WithADiameterReadTheMeanOverTheirArea) {
   const Particles<2> water = lattice([](double, double y) { return y * y; }, 0.0);
   const auto read = [&](const std::string& diameter) {
-    const Case c = test::make_case({"probe.0.position=[0.12,0.1]", "probe.0.diameter=" + diameter});
+    const Case c =
+        test::make_case({"probe.0.position=[0.12,0.06]", "probe.0.diameter=" + diameter});
     return Probes<2>(c).measure(water)[0];
   };
   EXPECT_NEAR(read("0.1") - read("0"), 0.1 * 0.1 / 12.0, 0.05 * 0.1 * 0.1 / 12.0);

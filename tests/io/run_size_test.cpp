@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "particle/io/presets.hpp"
 #include "tests/case/case_fixture.hpp"
 
 namespace surge {
@@ -14,8 +15,9 @@ using testing::HasSubstr;
 
 TEST(RunSize, CountsWhatTheSolverMakes) {
   for (const Method& method : methods()) {
-    const Computation c =
-        test::make_computation({"method.name=" + std::string(method.name), "time.courant=0.2"});
+    const Computation c = test::make_computation(
+        {"method.name=" + std::string(method.name),
+         "method.preset=" + preset_names(method.name).front(), "time.courant=0.2"});
     const RunSize size = run_size(c);
     EXPECT_EQ(size.particles.fluid, 32.0);
     EXPECT_EQ(size.particles.all(), static_cast<double>(c.make_solver<2>()->particles().size()));
@@ -30,6 +32,8 @@ TEST(RunSize, CountsWhatTheSolverMakes) {
 // The guess of the number of steps is made with the limits that the solver keeps.
 TEST(RunSize, StepLimitIsTheSolvers) {
   const std::vector<std::vector<std::string>> choices{
+      {"method.name=isph", "method.preset=shifted"},
+      {"method.name=isph", "method.preset=shifted", "fluid.kinematic_viscosity=0.05"},
       {"method.name=mps"},
       {"method.name=mps", "method.preset=improved"},
       {"method.name=mps", "fluid.kinematic_viscosity=0.05"},

@@ -17,9 +17,7 @@ COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["
 # can only shrink.
 LEFT_UPWARDS = {"compare/measure/wall_pressure.hpp"}
 LEFT_LONG = {
-    "particle/sph/solver.cpp",
-    "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp",
-    "tests/workflow/allrun_test.py"}
+    "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp"}
 
 # The one file outside of a method's folder that names it.
 METHODS = "particle/io/methods.cpp"

@@ -4,8 +4,8 @@ It is the repository seen through links, so that a test neither uses nor disturb
 and report; what is up to date there is kept from one call to the next.
 """
 
+import json
 import subprocess
-import tomllib
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -13,8 +13,10 @@ STUDY = Path("compare/studies/dam_break_quick.toml")
 BASELINES = SOURCE / "compare/reference/baselines"
 
 
-def study() -> dict:
-    return tomllib.loads((SOURCE / STUDY).read_text(encoding="utf-8"))
+def study(build: Path) -> dict:
+    """The study as the program reads it."""
+    command = [str(build.resolve() / "bin/surge-compare"), "study", str(STUDY), "--json", "-"]
+    return json.loads(subprocess.run(command, cwd=SOURCE, capture_output=True, text=True, check=True).stdout)
 
 
 def make_project(build: Path) -> Path:

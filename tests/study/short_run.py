@@ -80,7 +80,8 @@ class Figures(unittest.TestCase):
             call(BIN / "surge-particle", "run", CASE, "--out", cls.folder / "runs" / method,
                  "--set", f"method.name={method}", "--set", "resolution.spacing=0.0145",
                  "--set", "time.end=0.02")
-            runs += f'[[run]]\nname = "{method}"\nprogram = "surge-particle"\ncase = "c"\n'
+            runs += (f'[[run]]\nname = "{method}"\nprogram = "surge-particle"\ncase = "{CASE}"\n'
+                     f'set = ["method.name={method}", "resolution.spacing=0.0145", "time.end=0.02"]\n')
         (cls.folder / "study.toml").write_text(
             'title = "Short"\nreference = "mps"\nstrip_height = 0.0435\n'
             "snapshot_times = [0.01, 0.02]\npublished = []\n" + runs)

@@ -20,7 +20,8 @@ class CoarseStudy(unittest.TestCase):
     def setUpClass(cls):
         cls.root = make_project(BUILD)
         cls.first = run_study(cls.root)
-        cls.runs = study()["run"]
+        cls.study = study(BUILD)
+        cls.runs = cls.study["runs"]
         cls.metrics_file = cls.root / "report/metrics.json"
 
     def setUp(self):
@@ -31,7 +32,7 @@ class CoarseStudy(unittest.TestCase):
 
     def test_all_three_methods_take_part(self):
         programs = {run["program"] for run in self.runs}
-        methods = {entry for run in self.runs for entry in run["set"] if entry.startswith("method.name")}
+        methods = {entry for run in self.runs for entry in run["settings"] if entry.startswith("method.name")}
         self.assertEqual(programs, {"surge-particle", "interFoam"})
         self.assertEqual(methods, {"method.name=mps", "method.name=sph"})
 
@@ -58,7 +59,7 @@ class CoarseStudy(unittest.TestCase):
                 with self.subTest(key):
                     value = find(metrics, key)
                     self.assertTrue(math.isfinite(value) and value > 0, value)
-            if run["name"] != study()["reference"]:
+            if run["name"] != self.study["reference"]:
                 for kind in ("rms", "max", "bias"):
                     value = find(metrics, f"front.{run['name']}.{kind}_vs_vof")
                     self.assertTrue(math.isfinite(value), (run["name"], kind, value))

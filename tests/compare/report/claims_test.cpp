@@ -26,21 +26,36 @@ json claim(const json& metrics, const std::string& id) {
 /// Run mps-b, whose front leads by 0.2 L.
 void add_inaccurate_mps(const SyntheticStudy& files) {
   std::string study = read_text(files.study());
-  study += "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\n";
+  study +=
+      "[[run]]\nname = \"mps-b\"\nprogram = \"surge-particle\"\ncase = \"c.toml\"\nset = "
+      "[\"b=1\"]\n";
   testing::write_text(files.study(), study);
   files.write("mps-b", "mps", 0.2 * SyntheticStudy::length);
+  files.refine("mps-b", "mps", 0.2 * SyntheticStudy::length, "\"b=1\"");
 }
 
 TEST(Claims, FollowTheFronts) {
   const SyntheticStudy files;
+  files.refine_all();
   const json metrics = report_metrics(files.collected());
   EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "reproduced");
   EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "reproduced");
   EXPECT_NEAR(claim(metrics, "leading_edge_mps")["evidence"][0]["value"], 0.02, 1e-3);
 }
 
+// A number without its uncertainty gets no verdict.
+TEST(Claims, WithoutRefinementNothingIsDecided) {
+  const SyntheticStudy files;
+  const json metrics = report_metrics(files.collected());
+  EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "not decidable");
+  EXPECT_EQ(claim(metrics, "mps_more_accurate")["verdict"], "not decidable");
+  EXPECT_EQ(metrics["claim_counts"]["not decidable"], 3);
+  EXPECT_EQ(metrics["summary"]["accuracy"], "not decidable");
+}
+
 TEST(Claims, TurnWithTheNumbers) {
   const SyntheticStudy files;
+  files.refine_all(0.2);
   files.write("mps-a", "mps", 0.2 * SyntheticStudy::length);
   const json metrics = report_metrics(files.collected());
   EXPECT_EQ(claim(metrics, "leading_edge_mps")["verdict"], "not reproduced");
@@ -49,6 +64,7 @@ TEST(Claims, TurnWithTheNumbers) {
 
 TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
   const SyntheticStudy files;
+  files.refine_all();
   add_inaccurate_mps(files);
   const json metrics = report_metrics(files.collected());
   EXPECT_THAT(claim(metrics, "leading_edge_mps")["verdict"].get<std::string>(),
@@ -60,6 +76,7 @@ TEST(Claims, SeveralRunsOfAMethodMayDisagree) {
 // The same run as above, but by a formulation that the paper says nothing about.
 TEST(Claims, OfThePaperAreNotJudgedByNewerFormulations) {
   const SyntheticStudy files;
+  files.refine_all();
   add_inaccurate_mps(files);
   const auto file = files.runs() / "mps-b/manifest.json";
   json manifest = json::parse(read_text(file));

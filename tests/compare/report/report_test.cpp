@@ -147,7 +147,7 @@ TEST(Report, SummaryCountsTheVerdicts) {
     ++counts[verdict.starts_with("depends") ? "depends" : verdict];
   }
   const json& told = metrics["claim_counts"];
-  for (const char* kind : {"reproduced", "not reproduced", "depends"})
+  for (const char* kind : {"reproduced", "not reproduced", "depends", "not decidable"})
     EXPECT_EQ(told[kind], counts[kind]) << kind;
   EXPECT_EQ(told["judged"].get<int>() + counts["not measured"],
             static_cast<int>(metrics["claims"].size()));
@@ -173,6 +173,7 @@ TEST(Report, AnswerIsThreeSentencesAndAFigure) {
 
 TEST(Report, StatesWhatTheRunsWereMadeToShow) {
   const SyntheticStudy files;
+  files.refine_all();
   const Written report = write(files);
   EXPECT_NEAR(report.metrics["front"]["mps-a"]["max_vs_vof"], 0.02, 1e-6);
   EXPECT_NEAR(report.metrics["front"]["sph-a"]["max_vs_vof"], 0.05, 1e-6);
@@ -180,6 +181,14 @@ TEST(Report, StatesWhatTheRunsWereMadeToShow) {
   EXPECT_THAT(report.page, HasSubstr("is reproduced by these runs"));
   EXPECT_THAT(report.table, HasSubstr("sph-a"));
   EXPECT_THAT(report.table, HasSubstr("0.0200"));
+}
+
+TEST(Report, WithoutUncertaintyTheHeadlineIsLeftOpen) {
+  const SyntheticStudy files;
+  const Written report = write(files);
+  EXPECT_THAT(report.page, HasSubstr("is not decidable by these runs"));
+  EXPECT_THAT(report.page, HasSubstr("id=\"verdicts\""));
+  EXPECT_TRUE(std::regex_search(report.table, std::regex("mps-a +complete .* not decidable")));
 }
 
 TEST(Report, WallPressureIsThatOfTheProbes) {
@@ -208,6 +217,7 @@ TEST(Report, StudyWithoutAProbeHasNoWallPressure) {
 TEST(Report, TheOtherVerdictIsWrittenToo) {
   const SyntheticStudy files;
   files.write("sph-a", "sph", 0.001 * SyntheticStudy::length);
+  files.refine_all(0.02, 0.001);
   const Written report = write(files);
   EXPECT_EQ(report.metrics["summary"]["nearer"], "SPH");
   EXPECT_THAT(report.page, HasSubstr("is not reproduced by these runs"));
@@ -262,6 +272,33 @@ TEST(Report, DeparturesFromThePaperAreTold) {
   EXPECT_EQ(sph["h_over_l0"]["agreement"], "left open");
   EXPECT_EQ(sph["brand_new"]["agreement"], "not in the paper");
   EXPECT_EQ(metrics["deviation_counts"]["sph-a"]["departs"], 2);
+}
+
+TEST(Report, WhatDoesNotActIsNoDepartureFromThePaper) {
+  const SyntheticStudy files;
+  const auto file = files.runs() / "mps-a/manifest.json";
+  json manifest = json::parse(read_text(file));
+  json& options = manifest["case"]["method"]["parameters"];
+  options = {
+      {"source", "number_density"},    {"density_share", 0.01},      {"shifting", 0.0},
+      {"viscous_term", "deformation"}, {"numerical_viscosity", 0.0}, {"collision_distance", 0.5},
+      {"collision_speed", 0.1}};
+  testing::write_text(file, manifest.dump());
+  const json quiet = report_metrics(files.collected());
+  const json& said = quiet["deviations"]["mps-a"];
+  EXPECT_EQ(said["density_share"]["agreement"], "does not act");
+  EXPECT_EQ(said["viscous_term"]["agreement"], "does not act");
+  EXPECT_EQ(said["shifting"]["agreement"], "as stated");
+  EXPECT_EQ(said["collision_speed"]["agreement"], "left open");
+  EXPECT_EQ(quiet["deviation_counts"]["mps-a"]["departs"], 0);
+
+  options["source"] = "divergence_and_density";
+  options["numerical_viscosity"] = 0.03;
+  testing::write_text(file, manifest.dump());
+  const json loud = report_metrics(files.collected());
+  EXPECT_EQ(loud["deviations"]["mps-a"]["density_share"]["agreement"], "left open");
+  EXPECT_EQ(loud["deviations"]["mps-a"]["viscous_term"]["agreement"], "left open");
+  EXPECT_EQ(loud["deviation_counts"]["mps-a"]["departs"], 2);
 }
 
 TEST(Report, StudyThatJudgesNoPaperHasNoWordOfItsStatements) {

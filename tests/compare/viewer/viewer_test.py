@@ -37,9 +37,11 @@ def write_report(folder):
     call("./Allrun", cwd=runs / "vof")
     study = ('title = "Viewer"\nreference = "vof"\nstrip_height = 0.0435\nsnapshot_times = [0.1, 0.3]\n'
              'published = ["martin_moyce_1952_2.25in"]\n')
-    for name, program, case in (("mps", "surge-particle", "a"), ("sph", "surge-particle", "a"),
-                                ("vof", "interFoam", "b")):
-        study += f'[[run]]\nname = "{name}"\nprogram = "{program}"\ncase = "{case}"\nset = []\nthreads = 1\n'
+    for method in ("mps", "sph"):
+        study += (f'[[run]]\nname = "{method}"\nprogram = "surge-particle"\ncase = "particle/cases/dam_break.toml"\n'
+                  f'set = ["method.name={method}", "resolution.spacing=0.0145", "time.end=0.3"]\n')
+    study += ('[[run]]\nname = "vof"\nprogram = "interFoam"\ncase = "foam_cases/damBreak2D"\n'
+              'set = ["cellsPerL=10", "endTime=0.3", "writeInterval=0.01"]\n')
     (folder / "study.toml").write_text(study)
     call(BIN / "surge-compare", "report", "--study", folder / "study.toml", "--runs", runs, "--series",
          SOURCE / "compare/reference", "--out", folder / "report")

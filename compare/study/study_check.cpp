@@ -1,0 +1,211 @@
+#include "compare/study/study_check.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "compare/read/readers.hpp"
+#include "compare/reference/series.hpp"
+#include "compare/study/identity.hpp"
+#include "compare/study/run_fault.hpp"
+#include "particle/case/case_checks.hpp"
+#include "particle/case/case_file.hpp"
+#include "particle/case/case_json.hpp"
+#include "particle/support/process.hpp"
+#include "particle/support/spelling.hpp"
+
+namespace surge::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  return out.append(text).append("\"");
+}
+
+[[noreturn]] void refuse(const StudyRun& run, const std::string& key, const std::string& found,
+                         const std::string& expected) {
+  throw Error(run.place + "." + key + ": found " + found + ", expected " + expected);
+}
+
+/// What a program says, in one line and without its name.
+std::string one_line(std::string said, const std::string& program) {
+  if (said.starts_with(program + ": ")) said.erase(0, program.size() + 2);
+  said.erase(std::find(said.begin(), said.end(), '\n'), said.end());
+  return said;
+}
+
+/// What one of our programs prints. Throws where it is not there or refuses.
+std::string answer(const StudyRun& run, const fs::path& programs, const std::string& name,
+                   const std::vector<std::string>& arguments) {
+  const fs::path program = fs::absolute(programs / name);
+  if (!fs::exists(program))
+    throw Error(program.string() +
+                ": not found, expected the program that checks the cases of a "
+                "study (it is built together with surge-compare)");
+  const ProcessEnd end = run_process(program.string(), arguments, fs::current_path(), "none");
+  if (end.status != 0) throw Error(run.place + ": " + run.name + ": " + one_line(end.said, name));
+  return end.said;
+}
+
+json particle_case(const StudyRun& run, const fs::path& programs) {
+  if (!fs::is_regular_file(run.case_file))
+    refuse(run, "case", quoted(run.case_path.string()), "an existing case file");
+  std::vector<std::string> arguments{"check", run.case_file.string(), "--json"};
+  for (const std::string& setting : run.settings) {
+    arguments.emplace_back("--set");
+    arguments.push_back(setting);
+  }
+  const std::string said = answer(run, programs, "surge-particle", arguments);
+  json resolved = json::parse(said, nullptr, false);
+  if (!resolved.is_object() || !resolved.contains("case"))
+    throw Error(run.place + ": " + run.name + ": surge-particle check --json printed something " +
+                "else than a case: " + one_line(said, ""));
+  return resolved;
+}
+
+/// A folder with an OpenFOAM case, whose one dictionary takes all settings.
+json foam_folder(const StudyRun& run) {
+  const std::string found = quoted(run.case_path.string());
+  if (!fs::is_directory(run.case_file))
+    refuse(run, "case", found, "an existing OpenFOAM case, or a case file (.toml)");
+  for (const char* file : {"Allrun", "system/caseParameters"})
+    if (!fs::is_regular_file(run.case_file / file))
+      refuse(run, "case", found + " without " + file,
+             "an OpenFOAM case like foam_cases/damBreak2D");
+  json parameters = case_parameters(run.case_file);
+  for (const std::string& setting : run.settings) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (!parameters.contains(key)) {
+      std::vector<std::string> known;
+      for (const auto& entry : parameters.items()) known.push_back(entry.key());
+      const std::string near = nearest(key, known);
+      refuse(run, "set", quoted(setting),
+             "an entry of " + (run.case_file / "system/caseParameters").string() +
+                 (near.empty() ? "" : " (" + near + "?)"));
+    }
+    parameters[key] = parameter_value(setting.substr(setting.find('=') + 1));
+  }
+  return {{"parameters", parameters}};
+}
+
+/// A case file that surge-foam makes an OpenFOAM case of.
+json foam_case(const StudyRun& run) {
+  if (!fs::is_regular_file(run.case_file))
+    refuse(run, "case", quoted(run.case_path.string()), "an existing case file");
+  std::vector<std::string> settings;
+  for (const std::string& setting : run.settings)
+    if (!setting.starts_with("foam.")) settings.push_back(setting);
+  const TomlTable root = TomlTable::read(run.case_file, settings);
+  const Case flow = read_case(root);
+  check_case(flow, root);
+  return {{"case", to_json(flow)}};
+}
+
+void check_files(const StudyRun& run) {
+  const bool pattern = run.case_file.filename().string().find('*') != std::string::npos;
+  if (!pattern && !fs::exists(run.case_file))
+    refuse(run, "source", quoted(run.case_path.string()),
+           "an existing folder or file, or a pattern with *");
+  if (run.map && !fs::is_regular_file(*run.map))
+    refuse(run, "map", quoted(run.map->string()), "an existing map file");
+}
+
+json resolve(const StudyRun& run, const fs::path& programs) {
+  if (run.program == "surge-particle") return particle_case(run, programs);
+  if (run.is_files()) {
+    check_files(run);
+    return nullptr;
+  }
+  try {
+    return run.made_from_case_file() ? foam_case(run) : foam_folder(run);
+  } catch (const Error& error) {
+    const std::string text = error.what();
+    throw Error(text.starts_with(run.place) ? text : run.place + ": " + run.name + ": " + text);
+  }
+}
+
+std::string computation_of(const StudyRun& run) {
+  std::string key = run.program + '\n' + run.case_file.string();
+  for (const std::string& setting : run.settings) key += '\n' + setting;
+  return key;
+}
+
+/// The physics of a run, where it is known before the run.
+std::optional<Physics> physics_of(const StudyRun& run) {
+  if (!run.resolved.is_object() || !run.resolved.contains("case")) return std::nullopt;
+  Run described;
+  json stated = run.resolved.at("case");
+  if (!stated.contains("method")) stated["method"] = {{"name", "vof"}, {"preset", ""}};
+  apply_case(described, stated, run.place + ": " + run.name);
+  return described.physics;
+}
+
+void check_physics(const Study& study) {
+  const auto reference =
+      std::find_if(study.runs.begin(), study.runs.end(), [&](const StudyRun& run) {
+        return run.name == study.reference && run.role == Role::comparison;
+      });
+  if (reference == study.runs.end()) return;
+  const auto theirs = physics_of(*reference);
+  if (!theirs) return;
+  for (const StudyRun& run : study.runs) {
+    if (run.role == Role::verification || run.role == Role::timing) continue;
+    const auto ours = physics_of(run);
+    if (!ours) continue;
+    try {
+      std::set<std::string> allowed;
+      if (run.role == Role::sensitivity) allowed.insert("wall");
+      require_same_physics(compare_physics(*ours, run.name, *theirs, reference->name), allowed);
+    } catch (const Error& error) {
+      throw Error(run.place + ": " + run.name + ": " + error.what());
+    }
+  }
+}
+
+/// When a run is to end, s; empty where it is not known before.
+std::optional<double> end_of(const StudyRun& run) {
+  for (const char* name : {"/case/time/end", "/parameters/endTime"}) {
+    const json::json_pointer pointer(name);
+    if (run.resolved.contains(pointer) && run.resolved.at(pointer).is_number())
+      return run.resolved.at(pointer).get<double>();
+  }
+  return std::nullopt;
+}
+
+void check_snapshots(const Study& study) {
+  if (study.snapshot_times.empty()) return;
+  for (const StudyRun& run : study.runs) {
+    if (run.name != study.reference || run.role != Role::comparison) continue;
+    const auto end = end_of(run);
+    const double last = study.snapshot_times.back().value();
+    if (end && last > *end + 1e-9)
+      throw Error(study.snapshot_place + ": found " + number_text(last) +
+                  ", expected times up to the end of the reference, " + number_text(*end) + " s");
+  }
+}
+
+}  // namespace
+
+fs::path own_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path();
+}
+
+void check_study(Study& study, const fs::path& programs, const std::string& only,
+                 const fs::path& series_folder) {
+  for (const std::string& name : study.published)
+    static_cast<void>(read_series(series_file(study, name, series_folder)));
+  std::map<std::string, json> known;
+  for (StudyRun& run : study.runs) {
+    if (!only.empty() && run.name != only) continue;
+    const std::string key = computation_of(run);
+    auto found = known.find(key);
+    if (found == known.end()) found = known.emplace(key, resolve(run, programs)).first;
+    run.resolved = found->second;
+  }
+  check_physics(study);
+  check_snapshots(study);
+}
+
+}  // namespace surge::compare

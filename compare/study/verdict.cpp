@@ -1,0 +1,276 @@
+#include "compare/study/verdict.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/study/convergence.hpp"
+#include "compare/study/quantities.hpp"
+#include "compare/study/sequences.hpp"
+#include "particle/support/error.hpp"
+
+namespace surge::compare {
+
+using nlohmann::json;
+
+namespace {
+
+const double uniform = 1.0 / std::sqrt(3.0);  ///< standard deviation over half the width
+
+/// Settings that say how fine and how long a run is, and not what it computes.
+bool is_resolution(const std::string& setting) {
+  constexpr std::array names{"resolution.", "time.end=",        "endTime=",      "cellsPerL=",
+                             "foam.cells",  "output.interval=", "writeInterval="};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return setting.starts_with(name); });
+}
+
+std::string what_it_computes(const RunResult& run) {
+  std::string key = run.study.program + '\n' + run.study.case_path.string();
+  for (const std::string& setting : run.study.settings)
+    if (!is_resolution(setting)) key += '\n' + setting;
+  return key + '\n' + run.measured->run.method + '\n' + run.measured->run.preset;
+}
+
+bool refines(const RunResult& other, const RunResult& run) {
+  if (other.measured == nullptr || other.status != RunStatus::complete) return false;
+  if (other.study.role != Role::comparison && other.study.role != Role::convergence) return false;
+  if (!run.study.group.empty() && other.study.group == run.study.group) return true;
+  return what_it_computes(other) == what_it_computes(run);
+}
+
+bool same_size(Metres a, Metres b) {
+  return std::abs((a - b).value()) <= 0.01 * std::max(a, b).value();
+}
+
+/// 95 % uncertainty of a value of a run, taken of all its refinements that have it.
+template <class Value>
+std::optional<double> run_uncertainty(const std::vector<const RunResult*>& refinements,
+                                      const RunResult& run, const Value& value) {
+  std::vector<LevelValue> levels;
+  std::optional<std::size_t> own;
+  for (const RunResult* level : refinements) {
+    const std::optional<double> found = value(*level->measured);
+    if (!found) continue;
+    if (level == &run) own = levels.size();
+    levels.push_back({level->measured->run.spacing.value(), *found});
+  }
+  return own ? level_uncertainty(levels, *own) : std::nullopt;
+}
+
+/// By how much a front may pass its straight line between two frames: the bound dt^2/8 |Z''|, with
+/// Z'' from three frames, is taken as half the width of a uniform distribution; root of the mean
+/// square over the frames in the window.
+double frame_uncertainty(const DimensionlessFront& front, const Window& window) {
+  double squares = 0.0, n = 0.0;
+  const auto& samples = front.samples;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    if (samples[i].time < window.begin || samples[i + 1].time > window.end) continue;
+    const double second =
+        (samples[i + 1].position - 2.0 * samples[i].position + samples[i - 1].position).value();
+    squares += std::pow(second / 8.0 * uniform, 2);
+    n += 1.0;
+  }
+  return n > 0.0 ? std::sqrt(squares / n) : 0.0;
+}
+
+std::optional<double> impact_of(const MeasuredRun& run) {
+  const auto far = run.run.physics.far_wall();
+  const auto hit = far ? impact(run.history, *far, run.run.spacing) : std::nullopt;
+  if (!hit) return std::nullopt;
+  return run.run.physics.scales().dimensionless(hit->time).value();
+}
+
+/// Half of the time between the frames before and after the impact, as a standard uncertainty.
+double impact_bracket(const MeasuredRun& run) {
+  const auto hit = impact(run.history, *run.run.physics.far_wall(), run.run.spacing);
+  return 0.5 * run.run.physics.scales().dimensionless(hit->after - hit->before).value() * uniform;
+}
+
+std::optional<double> standard(std::optional<double> uncertainty) {
+  return uncertainty ? std::optional(*uncertainty / numerical_coverage) : std::nullopt;
+}
+
+std::optional<double> impact_uncertainty(const StudyResult& study, const RunResult& run) {
+  return standard(run_uncertainty(refinements_of(study, run), run, impact_of));
+}
+
+std::string what_is_missing(const StudyResult& study, const RunResult& run,
+                            const Uncertainties& parts) {
+  const std::string levels = " at two more resolutions is not there, so that its u is unknown";
+  if (run.status != RunStatus::complete) return run.study.name + " is not complete";
+  if (!parts.reference) return study.study.reference + levels;
+  if (!parts.run) return run.study.name + levels;
+  return "";
+}
+
+Verdict judged(const StudyResult& study, const RunResult& run, Verdict verdict) {
+  verdict.run = run.study.name;
+  verdict.why = what_is_missing(study, run, verdict.parts);
+  if (verdict.why.empty())
+    verdict.outcome = decide(verdict.difference, verdict.tolerance, verdict.interval());
+  return verdict;
+}
+
+Verdict front_verdict(const StudyResult& study, const RunResult& run) {
+  const MeasuredRun& reference = study.reference_run();
+  const FrontDifference d = difference(run.measured->front, reference.front, study.wall());
+  Verdict verdict;
+  verdict.quantity = "leading_edge";
+  verdict.against = study.study.reference;
+  verdict.difference = d.rms;
+  verdict.tolerance = front_tolerance;
+  verdict.parts = {front_uncertainty(study, run), front_uncertainty(study, study.reference()), 0.0,
+                   std::hypot(frame_uncertainty(run.measured->front, d.window),
+                              frame_uncertainty(reference.front, d.window))};
+  return judged(study, run, verdict);
+}
+
+std::optional<Verdict> impact_verdict(const StudyResult& study, const RunResult& run) {
+  const MeasuredRun& reference = study.reference_run();
+  const auto ours = impact_of(*run.measured), theirs = impact_of(reference);
+  if (!ours || !theirs) return std::nullopt;
+  Verdict verdict;
+  verdict.quantity = "impact";
+  verdict.against = study.study.reference;
+  verdict.difference = *ours - *theirs;
+  verdict.tolerance = impact_tolerance;
+  verdict.parts = {impact_uncertainty(study, run), impact_uncertainty(study, study.reference()),
+                   0.0, std::hypot(impact_bracket(*run.measured), impact_bracket(reference))};
+  return judged(study, run, verdict);
+}
+
+std::optional<Verdict> experiment_verdict(const StudyResult& study, const RunResult& run,
+                                          const PublishedSeries& series) {
+  Verdict verdict;
+  try {
+    verdict.difference = against_series(run.measured->front, series, study.wall()).raw.rms;
+  } catch (const Error&) {
+    return std::nullopt;  // its points are not in the run's window, as metrics.json says
+  }
+  verdict.quantity = "leading_edge";
+  verdict.against = series.name;
+  verdict.tolerance = front_tolerance;
+  verdict.parts = {front_uncertainty(study, run), 0.0,
+                   published_uncertainty_rms(series, run.measured->front, DimensionlessTime(0.0)),
+                   0.0};
+  return judged(study, run, verdict);
+}
+
+json or_null(const std::optional<double>& value) {
+  return value ? json(*value) : json();
+}
+
+}  // namespace
+
+std::string outcome_text(Outcome outcome) {
+  constexpr std::array names{"agrees", "differs", "not decidable"};
+  return names.at(static_cast<std::size_t>(outcome));
+}
+
+std::optional<double> Uncertainties::combined() const {
+  double squares = 0.0;
+  for (const auto& part : {run, reference, data, frames}) {
+    if (!part) return std::nullopt;
+    squares += *part * *part;
+  }
+  return std::sqrt(squares);
+}
+
+std::optional<double> Verdict::interval() const {
+  const auto u = parts.combined();
+  return u ? std::optional(coverage * *u) : std::nullopt;
+}
+
+Outcome decide(double difference, double tolerance, std::optional<double> interval) {
+  if (!interval || !std::isfinite(*interval) || !std::isfinite(difference))
+    return Outcome::undecided;
+  if (std::abs(difference) + *interval <= tolerance) return Outcome::agrees;
+  if (std::abs(difference) - *interval > tolerance) return Outcome::differs;
+  return Outcome::undecided;
+}
+
+std::optional<double> level_uncertainty(const std::vector<LevelValue>& levels, std::size_t own) {
+  std::vector<Level> all;
+  for (const LevelValue& level : levels) all.push_back({level.size, level.value});
+  const auto chosen = systematic_levels(all);
+  if (!chosen) return std::nullopt;
+  std::vector<Level> others = all;
+  std::erase_if(others, [&](const Level& level) {
+    return std::any_of(chosen->begin(), chosen->end(),
+                       [&](const Level& used) { return used.h == level.h; });
+  });
+  const GridConvergence found = grid_convergence(*chosen, others);
+  return std::abs(levels.at(own).value - chosen->front().value) + found.uncertainty;
+}
+
+std::vector<const RunResult*> refinements_of(const StudyResult& study, const RunResult& run) {
+  std::vector<const RunResult*> found{&run};
+  for (const auto* list : {&study.runs, &study.others}) {
+    for (const RunResult& other : *list) {
+      if (!refines(other, run)) continue;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const RunResult* level) {
+        return same_size(level->measured->run.spacing, other.measured->run.spacing);
+      });
+      if (!known) found.push_back(&other);
+    }
+  }
+  return found;
+}
+
+std::optional<double> front_uncertainty(const StudyResult& study, const RunResult& run) {
+  const std::vector<const RunResult*> refinements = refinements_of(study, run);
+  double squares = 0.0, n = 0.0;
+  for (const double t : convergence_times) {
+    const auto value = [&](const MeasuredRun& level) -> std::optional<double> {
+      const auto z = level.front.at(DimensionlessTime(t));
+      return z ? std::optional(z->value()) : std::nullopt;
+    };
+    if (!value(*run.measured)) continue;
+    const auto u = run_uncertainty(refinements, run, value);
+    if (!u) return std::nullopt;
+    squares += *u * *u;
+    n += 1.0;
+  }
+  return n > 0.0 ? standard(std::sqrt(squares / n)) : std::nullopt;
+}
+
+std::vector<Verdict> find_verdicts(const StudyResult& study) {
+  std::vector<Verdict> verdicts;
+  const auto add = [&](std::optional<Verdict> verdict) {
+    if (verdict) verdicts.push_back(std::move(*verdict));
+  };
+  for (const RunResult* run : study.measured()) {
+    if (run != &study.reference()) {
+      add(front_verdict(study, *run));
+      add(impact_verdict(study, *run));
+    }
+    for (const PublishedSeries& series : study.published)
+      if (series.experiment) add(experiment_verdict(study, *run, series));
+  }
+  return verdicts;
+}
+
+void measure_verdicts(const StudyResult& study, json& metrics) {
+  json& out = metrics["verdicts"];
+  out = {{"coverage", coverage},
+         {"numerical_coverage", numerical_coverage},
+         {"front_tolerance", front_tolerance},
+         {"impact_tolerance", impact_tolerance},
+         {"runs", json::object()}};
+  for (const Verdict& verdict : find_verdicts(study)) {
+    out["runs"][verdict.run][verdict.quantity][verdict.against] = {
+        {"E", verdict.difference},
+        {"U", or_null(verdict.interval())},
+        {"u_val", or_null(verdict.parts.combined())},
+        {"u_run", or_null(verdict.parts.run)},
+        {"u_reference", or_null(verdict.parts.reference)},
+        {"u_data", or_null(verdict.parts.data)},
+        {"u_frames", or_null(verdict.parts.frames)},
+        {"tolerance", verdict.tolerance},
+        {"verdict", outcome_text(verdict.outcome)},
+        {"why", verdict.why}};
+  }
+}
+
+}  // namespace surge::compare

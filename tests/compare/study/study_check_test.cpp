@@ -1,0 +1,143 @@
+#include "compare/study/study_check.hpp"
+
+#include <gmock/gmock.h>
+
+#include "compare/study/study_json.hpp"
+#include "tests/compare/synthetic.hpp"
+
+namespace surge::compare {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::error_of;
+using ::testing::HasSubstr;
+
+const fs::path source(SURGE_SOURCE_DIR);
+const fs::path programs(SURGE_BIN_DIR);
+
+std::string head(const std::string& published = "[]") {
+  return "title = \"t\"\nreference = \"ref\"\nstrip_height = 0.015\nsnapshot_times = [0.1]\n"
+         "published = " +
+         published + "\n";
+}
+
+std::string run(const std::string& name, const std::string& program, const std::string& path,
+                const std::string& settings) {
+  return "[[run]]\nname = \"" + name + "\"\nprogram = \"" + program + "\"\ncase = \"" + path +
+         "\"\nset = [" + settings + "]\n";
+}
+
+std::string particles(const std::string& name, const std::string& settings) {
+  return run(name, "surge-particle", (source / "particle/cases/dam_break.toml").string(), settings);
+}
+
+std::string foam(const std::string& name, const std::string& settings) {
+  return run(name, "interFoam", (source / "foam_cases/damBreak2D").string(), settings);
+}
+
+Study checked(const std::string& text) {
+  const testing::TemporaryFolder folder;
+  Study study = read_study(testing::write_text(folder / "study.toml", text));
+  check_study(study, programs);
+  return study;
+}
+
+std::string refusal(const std::string& text) {
+  return error_of([&] { static_cast<void>(checked(text)); });
+}
+
+TEST(StudyCheck, EachRunIsResolvedByItsProgram) {
+  const Study study =
+      checked(head() + foam("ref", "\"cellsPerL=10\", \"gravity=(0 -9.81 0)\"") +
+              particles("a", "\"method.name=sph\", \"resolution.spacing=0.0145\"") +
+              run("b", "interFoam", (source / "particle/cases/dam_break.toml").string(),
+                  "\"resolution.spacing=0.029\", \"foam.maxCo=0.4\""));
+  const auto& parameters = study.runs[0].resolved.at("parameters");
+  EXPECT_EQ(parameters.at("cellsPerL"), 10);
+  EXPECT_EQ(parameters.at("maxCo"), 0.5);
+  EXPECT_EQ(parameters.at("gravity"), nlohmann::json({0.0, -9.81, 0.0}));
+  EXPECT_EQ(study.runs[1].resolved.at("case").at("spacing"), 0.0145);
+  EXPECT_EQ(study.runs[1].resolved.at("case").at("method").at("name"), "sph");
+  EXPECT_EQ(study.runs[1].resolved.at("size").at("fluid_particles"), 200);
+  EXPECT_EQ(study.runs[2].resolved.at("case").at("spacing"), 0.029);
+
+  const nlohmann::json told = to_json(study);
+  EXPECT_EQ(told.at("reference"), "ref");
+  ASSERT_EQ(told.at("runs").size(), 3U);
+  EXPECT_EQ(told.at("runs")[1].at("settings")[0], "method.name=sph");
+  EXPECT_EQ(told.at("runs")[1].at("roles")[0].at("role"), "comparison");
+  EXPECT_EQ(to_json(study, "a").at("runs").size(), 1U);
+}
+
+TEST(StudyCheck, ARunInTwoRolesStandsOnceInTheList) {
+  const std::string more = "role = \"convergence\"\ngroup = \"g\"\ntimed = false\n";
+  const Study study = checked(head() + particles("ref", "") + particles("ref", "") + more);
+  const nlohmann::json told = to_json(study);
+  ASSERT_EQ(told.at("runs").size(), 1U);
+  EXPECT_EQ(told.at("runs")[0].at("roles").size(), 2U);
+  EXPECT_EQ(told.at("runs")[0].at("timed"), true);
+}
+
+TEST(StudyCheck, WhatIsNotThereIsNamedWithItsLine) {
+  EXPECT_THAT(refusal(head() + run("ref", "surge-particle", "no.toml", "")),
+              HasSubstr("study.toml:6: run.0.case: found \"no.toml\", expected an existing case"));
+  EXPECT_THAT(refusal(head() + run("ref", "interFoam", "no", "")),
+              HasSubstr("study.toml:6: run.0.case: found \"no\", expected an existing OpenFOAM"));
+  EXPECT_THAT(refusal(head("[\"no\"]") + particles("ref", "")),
+              HasSubstr("study.toml:5: published: found \"no\", expected the name of a series"));
+  EXPECT_THAT(
+      refusal(head() + "[[run]]\nname = \"ref\"\nprogram = \"files\"\nsource = \"nowhere\"\n"),
+      HasSubstr("run.0.source: found \"nowhere\""));
+}
+
+TEST(StudyCheck, SettingsThatAProgramDoesNotHaveAreNamed) {
+  EXPECT_THAT(refusal(head() + particles("ref", "\"resolution.spacng=0.1\"")),
+              AllOf(HasSubstr("study.toml:6: run.0: ref: "), HasSubstr("spacng")));
+  EXPECT_THAT(refusal(head() + particles("ref", "\"method.preset=papr\"")), HasSubstr("papr"));
+  EXPECT_THAT(refusal(head() + particles("ref", "\"sph.h_over_l0=1.2\"")),
+              HasSubstr("found an option of sph"));
+  EXPECT_THAT(refusal(head() + foam("ref", "\"cellPerL=3\"")), HasSubstr("(cellsPerL?)"));
+  EXPECT_THAT(
+      refusal(head() + run("ref", "interFoam", (source / "particle/cases/dam_break.toml").string(),
+                           "\"resolution.spacing=0.011\"")),
+      HasSubstr("run.0: ref: "));
+}
+
+TEST(StudyCheck, RunsThatAreComparedComputeTheSameCase) {
+  const std::string other =
+      particles("ref", "") + particles("moon", "\"fluid.gravity=[0, -1.62]\"");
+  EXPECT_THAT(refusal(head() + other),
+              AllOf(HasSubstr("study.toml:11: run.1: moon: "), HasSubstr("gravity")));
+  EXPECT_NO_THROW(static_cast<void>(checked(head() + other + "role = \"timing\"\n")));
+}
+
+TEST(StudyCheck, ASnapshotAfterTheEndIsRefused) {
+  EXPECT_THAT(refusal(head() + particles("ref", "\"time.end=0.05\"")),
+              HasSubstr("study.toml:4: snapshot_times: found 0.1, expected times up to the end"));
+  EXPECT_THAT(refusal(head() + foam("ref", "\"endTime=0.05\"")), HasSubstr("snapshot_times"));
+}
+
+TEST(StudyCheck, AProgramThatIsNotBuiltIsNamed) {
+  const testing::TemporaryFolder folder;
+  Study study =
+      read_study(testing::write_text(folder / "study.toml", head() + particles("ref", "")));
+  EXPECT_THAT(error_of([&] { check_study(study, folder.path()); }),
+              HasSubstr("surge-particle: not found"));
+}
+
+// Paths are words, whatever letters they are written with.
+TEST(StudyCheck, CasesLieBesideTheStudyUnderAnyName) {
+  const testing::TemporaryFolder folder;
+  const fs::path place = folder / "a \"b\" $(touch x); & 'ü'";
+  fs::create_directories(place);
+  fs::copy_file(source / "particle/cases/dam_break.toml", place / "my case.toml");
+  Study study = read_study(testing::write_text(
+      place / "study.toml", head() + run("ref", "surge-particle", "my case.toml", "")));
+  check_study(study, programs);
+  EXPECT_EQ(study.runs[0].case_file, place / "my case.toml");
+  EXPECT_EQ(study.runs[0].resolved.at("case").at("spacing"), 0.005);
+}
+
+}  // namespace
+}  // namespace surge::compare
