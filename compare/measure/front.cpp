@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "compare/read/pieces.hpp"
@@ -65,6 +66,43 @@ void check_speed(const Run& run, const FrontHistory& history) {
                 number_text(moved) + " m, a collapse with sqrt(2 g H) = " + number_text(scale) +
                 " m/s is faster (--time-step)");
   }
+}
+
+std::string short_text(double value) {
+  return number_text(std::round(value * 1e6) / 1e6);
+}
+
+/// A surge goes forward until it meets a wall, by about as much from frame to frame. Where it goes
+/// back or jumps, water has left or joined the main body, or files of a foreign source are out of
+/// order or of two runs.
+void tell_course(Run& run, const FrontHistory& history) {
+  if (!run.manifest.is_null() || run.is_mesh()) return;
+  const double l0 = run.spacing.value();
+  const double wall = run.physics.far_wall() ? run.physics.far_wall()->value() - 4.0 * l0
+                                             : std::numeric_limits<double>::infinity();
+  const auto step = [&](std::size_t i) {
+    return i == 0 || i >= history.size() ? 0.0
+                                         : (history[i].position - history[i - 1].position).value();
+  };
+  std::size_t back = 0, jumps = 0;
+  std::string first_back, first_jump;
+  double farthest = history.front().position.value();
+  for (std::size_t i = 1; i < history.size() && farthest < wall; ++i) {
+    const std::string place = " m at " + short_text(history[i].time.value()) + " s";
+    const double here = history[i].position.value();
+    if (here < farthest - 0.2 * l0 && back++ == 0)
+      first_back = short_text(farthest) + " m to " + short_text(here) + place;
+    if (step(i) > 2.0 * l0 && step(i) > 2.5 * std::max(step(i - 1), step(i + 1)) && jumps++ == 0)
+      first_jump = short_text(step(i)) + place;
+    farthest = std::max(farthest, here);
+  }
+  const std::string reason = " (water that leaves or joins the main body, or files out of order)";
+  if (back > 0)
+    run.notices.push_back("the leading edge goes back in " + std::to_string(back) +
+                          " frames, first from " + first_back + reason);
+  if (jumps > 0 && history.size() > 2)
+    run.notices.push_back("the leading edge jumps in " + std::to_string(jumps) +
+                          " frames, first by " + first_jump + reason);
 }
 
 }  // namespace
@@ -139,6 +177,7 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
                 " m above the floor at the first frame");
   }
   check_speed(run, history);
+  tell_course(run, history);
   for (const std::string& notice : run.frames->notices()) run.notices.push_back(notice);
   return history;
 }

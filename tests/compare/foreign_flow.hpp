@@ -16,13 +16,17 @@ namespace fs = std::filesystem;
 /// lowest layers reach x = 0.1 + 0.01 i m in frame i, each 0.02 s after the other. What they take
 /// comes from the top, so that the particles stay as many and their centre sinks.
 struct ForeignFlow {
+  double scale = 1.0;  ///< of all lengths, for files in other units
+  int ahead = 0;       ///< frames by which another run is ahead
+
   static constexpr double l0 = 0.01;
   static constexpr double interval = 0.02;
   static constexpr int frames = 6;
 
   static double edge(int i) { return 0.1 + l0 * i; }
 
-  static std::vector<Vec3> fluid(int i) {
+  [[nodiscard]] std::vector<Vec3> fluid(int i) const {
+    i += ahead;
     std::vector<Vec3> points;
     for (int row = 0; row < 20; ++row)
       for (int k = 0; k < 10; ++k)
@@ -32,13 +36,19 @@ struct ForeignFlow {
         } else {
           points.push_back({l0 * (k + 0.5), l0 * (row + 0.5), 0.0});
         }
-    return points;
+    return scaled(points);
   }
 
-  static std::vector<Vec3> walls() {
+  [[nodiscard]] std::vector<Vec3> walls() const {
     std::vector<Vec3> points = lattice({-0.01, -0.01, 0}, {0.41, 0, 0}, l0);
     append(points, lattice({-0.01, 0, 0}, {0, 0.3, 0}, l0));
     append(points, lattice({0.4, 0, 0}, {0.41, 0.3, 0}, l0));
+    return scaled(points);
+  }
+
+  [[nodiscard]] std::vector<Vec3> scaled(std::vector<Vec3> points) const {
+    for (Vec3& x : points)
+      for (double& c : x) c *= scale;
     return points;
   }
 
@@ -49,7 +59,7 @@ struct ForeignFlow {
     std::vector<double> pressure;
     std::vector<int> type;
   };
-  static Particles particles(int i, int fluid_type, std::optional<int> wall_type) {
+  [[nodiscard]] Particles particles(int i, int fluid_type, std::optional<int> wall_type) const {
     Particles all;
     all.position = fluid(i);
     all.type.assign(all.position.size(), fluid_type);

@@ -61,12 +61,12 @@ inline std::vector<double> component(const std::vector<Vec3>& vectors, std::size
 }
 
 /// PySPH (commit a57e653): <case>_<step>.hdf5; arrays that are not saved are empty.
-inline void write_pysph(const fs::path& folder) {
+inline void write_pysph(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
     const Hdf5Writer out(folder / ("dam_break_2d_" + padded(100 * i, 5) + ".hdf5"));
     for (const std::string body : {"fluid", "boundary"}) {
-      const auto all = ForeignFlow::particles(i, 0, std::nullopt);
-      const std::vector<Vec3> x = body == "fluid" ? all.position : ForeignFlow::walls();
+      const auto all = flow.particles(i, 0, std::nullopt);
+      const std::vector<Vec3> x = body == "fluid" ? all.position : flow.walls();
       const std::string arrays = "particles/" + body + "/arrays/";
       const std::size_t n = x.size();
       out.group("particles/" + body + "/constants");
@@ -91,10 +91,10 @@ inline void write_pysph(const fs::path& folder) {
 
 /// One file for all times in the manner of H5Part: Step#<k> with x, y, u, v, p, kind, and the time
 /// as an attribute.
-inline void write_h5part(const fs::path& file) {
+inline void write_h5part(const fs::path& file, const ForeignFlow& flow = {}) {
   const Hdf5Writer out(file);
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 4, 9);
+    const auto p = flow.particles(i, 4, 9);
     const std::string group = "Step#" + std::to_string(i);
     out.values(group + "/x", component(p.position, 0));
     out.values(group + "/y", component(p.position, 1));

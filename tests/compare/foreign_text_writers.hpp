@@ -22,9 +22,9 @@ inline std::string csv_text(const std::vector<std::string>& names,
 }
 
 /// OpenMps (commit 86da127): result/particles_#####.csv; 0 fluid, 1 wall; x-z plane; no times.
-inline void write_openmps(const fs::path& folder) {
+inline void write_openmps(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 0, 1);
+    const auto p = flow.particles(i, 0, 1);
     std::vector<std::vector<double>> rows;
     for (std::size_t k = 0; k < p.position.size(); ++k)
       rows.push_back({static_cast<double>(p.type[k]), p.position[k][0], p.position[k][1],
@@ -47,18 +47,19 @@ inline std::vector<std::vector<double>> dualsphysics_rows(const ForeignFlow::Par
 }
 
 /// DualSPHysics 5.4, the solver's own -sv:csv: data/PartCsv_####.csv. It states no pressure.
-inline void write_dualsphysics_csv(const fs::path& folder) {
+inline void write_dualsphysics_csv(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i)
     write_text(folder / ("PartCsv_" + padded(i, 4) + ".csv"),
                csv_text({"Pos.x [m]", "Pos.y [m]", "Pos.z [m]", "Idp", "Vel.x [m/s]", "Vel.y [m/s]",
                          "Vel.z [m/s]", "Rho [kg/m^3]", "Type"},
-                        dualsphysics_rows(ForeignFlow::particles(i, 3, 0), false), ";", true));
+                        dualsphysics_rows(flow.particles(i, 3, 0), false), ";", true));
 }
 
 /// DualSPHysics 5.2, PartVTK -savecsv -vars:+type,+press: a head with the time above the table.
-inline void write_partvtk_csv(const fs::path& folder, const std::string& separator = ";") {
+inline void write_partvtk_csv(const fs::path& folder, const std::string& separator = ";",
+                              const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 3, 0);
+    const auto p = flow.particles(i, 3, 0);
     const std::string head = csv_text(
         {"TimeStep [s]", "Np", "Nbound", "Nfixed", "Nmoving", "Nfloat", "Nfluid"},
         {{i * ForeignFlow::interval, static_cast<double>(p.position.size()), 102, 102, 0, 0, 200}},
@@ -85,9 +86,9 @@ inline void write_dualsphysics_run(const fs::path& folder) {
 
 /// MPS-Basic (commit 9399a21): csv/output_####.csv with time and count above the table; 1 fluid, 2
 /// wall.
-inline void write_mps_basic_csv(const fs::path& folder) {
+inline void write_mps_basic_csv(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 1, 2);
+    const auto p = flow.particles(i, 1, 2);
     std::vector<std::vector<double>> rows;
     for (std::size_t k = 0; k < p.position.size(); ++k)
       rows.push_back({static_cast<double>(p.type[k]), 0, p.position[k][0], p.position[k][1], 0,
@@ -99,9 +100,9 @@ inline void write_mps_basic_csv(const fs::path& folder) {
 }
 
 /// MPS-Basic's prof/output_####.prof: time, count, then type, position and velocity in blanks.
-inline void write_mps_basic_prof(const fs::path& folder) {
+inline void write_mps_basic_prof(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 1, 2);
+    const auto p = flow.particles(i, 1, 2);
     std::string text =
         digits17(i * ForeignFlow::interval) + "\n" + std::to_string(p.position.size()) + "\n";
     for (std::size_t k = 0; k < p.position.size(); ++k)
@@ -118,11 +119,12 @@ struct DumpLayout {
   bool time = false;  ///< dump_modify time yes
 };
 
-inline void write_lammps(const fs::path& folder, const DumpLayout& layout) {
+inline void write_lammps(const fs::path& folder, const DumpLayout& layout,
+                         const ForeignFlow& flow = {}) {
   const double lower = -0.02, size = 0.5;
   std::string all;
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 1, 2);
+    const auto p = flow.particles(i, 1, 2);
     std::ostringstream out;
     out << std::setprecision(17) << "ITEM: TIMESTEP\n" << 200 * i << '\n';
     if (layout.time) out << "ITEM: TIME\n" << i * ForeignFlow::interval << '\n';
@@ -146,10 +148,11 @@ inline void write_lammps(const fs::path& folder, const DumpLayout& layout) {
 }
 
 /// A table of all times with a column for the time, as a script of one's own writes it.
-inline void write_time_table(const fs::path& file, const std::string& separator) {
+inline void write_time_table(const fs::path& file, const std::string& separator,
+                             const ForeignFlow& flow = {}) {
   std::vector<std::vector<double>> rows;
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 1, 2);
+    const auto p = flow.particles(i, 1, 2);
     for (std::size_t k = 0; k < p.position.size(); ++k)
       rows.push_back({i * ForeignFlow::interval, 1000.0 * p.position[k][0],
                       1000.0 * p.position[k][1], 500.0, -250.0, p.pressure[k] / 1000.0,

@@ -80,10 +80,10 @@ inline void write_plain_vtp(const fs::path& file, const std::vector<Vec3>& point
 
 /// TrixiParticles 0.3: out/fluid_1_<k>.vtu, boundary_1_<k>.vtu with the time as "time", and
 /// fluid_1.pvd.
-inline void write_trixi(const fs::path& folder) {
+inline void write_trixi(const fs::path& folder, const ForeignFlow& flow = {}) {
   std::string list;
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 0, std::nullopt);
+    const auto p = flow.particles(i, 0, std::nullopt);
     const double time = i * ForeignFlow::interval;
     const std::string name = "fluid_1_" + std::to_string(i) + ".vtu";
     write_vtu(
@@ -93,7 +93,7 @@ inline void write_trixi(const fs::path& folder) {
             data_array("pressure", "Float64", 1, p.pressure) +
             data_array("index", "Int64", 1, numbers_from(1, p.position.size())),
         "time", time);
-    const auto walls = ForeignFlow::walls();
+    const auto walls = flow.walls();
     write_vtu(folder / ("boundary_1_" + std::to_string(i) + ".vtu"), walls,
               data_array("hydrodynamic_density", "Float64", 1,
                          std::vector<double>(walls.size(), 1000.0)) +
@@ -108,28 +108,28 @@ inline void write_trixi(const fs::path& folder) {
 }
 
 /// SPHinXsys: output/WaterBody_<millionths of a second>.vtp, the wall once; "TimeValue" since 2025.
-inline void write_sphinxsys(const fs::path& folder, bool time_value) {
+inline void write_sphinxsys(const fs::path& folder, bool time_value, const ForeignFlow& flow = {}) {
   const auto name = [](const std::string& body, int i) {
     return body + "_" + padded(std::lround(1e6 * ForeignFlow::interval * i), 10) + ".vtp";
   };
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 0, std::nullopt);
+    const auto p = flow.particles(i, 0, std::nullopt);
     write_plain_vtp(folder / name("WaterBody", i), p.position,
                     data_array("SortedParticle_ID", "Int32", 1, numbers_from(0, 200)) +
                         data_array("Pressure", "Float32", 1, p.pressure) +
                         data_array("Velocity", "Float32", 3, p.velocity),
                     time_value ? std::optional(ForeignFlow::interval * i) : std::nullopt);
   }
-  const auto walls = ForeignFlow::walls();
+  const auto walls = flow.walls();
   write_plain_vtp(folder / name("WallBoundary", 0), walls,
                   data_array("SortedParticle_ID", "Int32", 1, numbers_from(0, walls.size())),
                   time_value ? std::optional(0.0) : std::nullopt);
 }
 
 /// MPS-Basic (commit 9399a21): vtu/output_####.vtu; 0 ghost, 1 fluid, 2 wall.
-inline void write_mps_basic(const fs::path& folder) {
+inline void write_mps_basic(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 1, 2);
+    const auto p = flow.particles(i, 1, 2);
     write_vtu(
         folder / ("output_" + padded(i, 4) + ".vtu"), p.position,
         data_array("Particle Type", "Int32", 1, p.type) +
@@ -141,9 +141,9 @@ inline void write_mps_basic(const fs::path& folder) {
 }
 
 /// PolyMPS (2022, ascii, "auxiliar" output): output#####.vtu without a time; 0 fluid, 2 wall.
-inline void write_polymps(const fs::path& folder) {
+inline void write_polymps(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 0, 2);
+    const auto p = flow.particles(i, 0, 2);
     write_vtu(folder / ("output" + padded(i, 5) + ".vtu"), p.position,
               data_array("Velocity", "Float32", 3, p.velocity) +
                   data_array("pressure", "Float32", 1, p.pressure) +
@@ -171,9 +171,9 @@ inline std::string big_floats(const std::vector<Vec3>& values, bool exchange) {
 }
 
 /// DualSPHysics 5.4, the solver's own -sv:vtk: vtks/PartVtk_####.vtk, x-z plane, no time.
-inline void write_dualsphysics_vtk(const fs::path& folder) {
+inline void write_dualsphysics_vtk(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 3, 0);
+    const auto p = flow.particles(i, 3, 0);
     const std::string n = std::to_string(p.position.size());
     std::string text = "# vtk DataFile Version 3.0\nvtk output\nBINARY\nDATASET POLYDATA\nPOINTS " +
                        n + " float\n" + big_floats(p.position, true) + "\nVERTICES " + n + " " +
@@ -195,9 +195,9 @@ inline void write_dualsphysics_vtk(const fs::path& folder) {
 }
 
 /// SPlisHSPlasH 2.13, VTK exporter: vtk/ParticleData_Fluid_<frame>.vtk, frames from 1 on.
-inline void write_splishsplash(const fs::path& folder) {
+inline void write_splishsplash(const fs::path& folder, const ForeignFlow& flow = {}) {
   for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto p = ForeignFlow::particles(i, 0, std::nullopt);
+    const auto p = flow.particles(i, 0, std::nullopt);
     const std::string n = std::to_string(p.position.size());
     std::string text =
         "# vtk DataFile Version 4.1\nSPlisHSPlasH particle data\nBINARY\nDATASET "

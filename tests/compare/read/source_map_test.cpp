@@ -77,7 +77,7 @@ TEST(SourceMap, AxesMapTheFilesAxesToTheSurgeAndUp) {
   // The surge goes along -y, z is up, as files of x-z codes turned by 90 degrees have it.
   const TemporaryFolder folder;
   for (int i = 0; i < testing::ForeignFlow::frames; ++i) {
-    auto p = testing::ForeignFlow::particles(i, 0, std::nullopt);
+    auto p = testing::ForeignFlow().particles(i, 0, std::nullopt);
     for (Vec3& x : p.position) x = {0.5, -x[0], x[1]};
     for (Vec3& v : p.velocity) v = {0.0, -v[0], v[1]};
     testing::write_vtu(folder / ("f_" + std::to_string(i) + ".vtu"), p.position,
