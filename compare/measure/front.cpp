@@ -68,6 +68,44 @@ void check_speed(const Run& run, const FrontHistory& history) {
   }
 }
 
+/// By how far (m) the particle at the leading edge is ahead of the next one in the strip.
+double lead_of(const ParticleFrame& frame, const Physics& physics, double edge, Metres spacing,
+               const FrontOptions& options) {
+  const double direction = physics.surge_direction();
+  const auto up = static_cast<std::size_t>(physics.vertical_axis());
+  const double top = physics.floor() + options.strip_height.value() * (1.0 + 1e-9);
+  const double foremost = direction * edge - 0.5 * spacing.value();
+  double next = -std::numeric_limits<double>::infinity();
+  std::size_t there = 0;
+  for (const Vec3& x : frame.position) {
+    const double along = direction * x[0];
+    if (x[up] > top || along > foremost + 1e-9 * spacing.value()) continue;
+    if (along >= foremost - 1e-9 * spacing.value() && ++there == 1) continue;
+    next = std::max(next, along);
+  }
+  return foremost - next;
+}
+
+/// Where one particle makes the leading edge, its lead is part of the edge's uncertainty.
+class Leads {
+ public:
+  void add(double lead, Metres spacing) {
+    if (!(lead > 0.2 * spacing.value())) return;
+    ++count_;
+    most_ = std::max(most_, lead);
+  }
+  void tell(Run& run, std::size_t frames) const {
+    if (count_ == 0) return;
+    run.notices.push_back("in " + std::to_string(count_) + " of " + std::to_string(frames) +
+                          " frames one particle makes the leading edge, up to " +
+                          number_text(std::round(most_ * 1e6) / 1e6) + " m ahead of the next");
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double most_ = 0.0;
+};
+
 std::string short_text(double value) {
   return number_text(std::round(value * 1e6) / 1e6);
 }
@@ -159,11 +197,14 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
   const std::vector<Seconds>& times = run.frames->times();
   FrontHistory history;
   MeshFront mesh_front;
+  Leads leads;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Frame frame = run.frames->read(i, Fields{});
     std::optional<double> edge;
     if (const auto* particles = std::get_if<ParticleFrame>(&frame)) {
       edge = leading_edge(*particles, run.physics, run.spacing, options);
+      if (edge && run.kind == SourceKind::particle_series && !options.raw_maximum)
+        leads.add(lead_of(*particles, run.physics, *edge, run.spacing, options), run.spacing);
     } else {
       edge = mesh_front.leading_edge(std::get<MeshFrame>(frame), run.physics, options);
     }
@@ -178,6 +219,7 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
   }
   check_speed(run, history);
   tell_course(run, history);
+  leads.tell(run, history.size());
   for (const std::string& notice : run.frames->notices()) run.notices.push_back(notice);
   return history;
 }

@@ -165,6 +165,29 @@ void apply_first_frame(Run& run, const ParticleFrame& frame, const SourceOptions
   }
 }
 
+/// The first frame's faces are where the column is measured from; one stray particle must not make
+/// one.
+void tell_lone_faces(Run& run, const ParticleFrame& frame) {
+  if (frame.position.size() < 20) return;
+  const double near = 0.25 * run.spacing.value();
+  for (std::size_t a = 0; a < static_cast<std::size_t>(run.physics.dimension); ++a) {
+    double low = frame.position[0][a], high = low;
+    for (const Vec3& x : frame.position) {
+      low = std::min(low, x[a]);
+      high = std::max(high, x[a]);
+    }
+    std::size_t at_low = 0, at_high = 0;
+    for (const Vec3& x : frame.position) {
+      if (x[a] < low + near) ++at_low;
+      if (x[a] > high - near) ++at_high;
+    }
+    for (const auto& [count, face] : {std::pair{at_low, low}, std::pair{at_high, high}})
+      if (count == 1)
+        run.notices.push_back("one particle alone makes the column's face at " + six_digits(face) +
+                              " m along " + "xyz"[a] + " in the first frame");
+  }
+}
+
 /// What the user says about the tank: walls that are not known are not finite.
 std::optional<Extent> stated_tank(const Physics& physics, const SourceOptions& options) {
   if (!options.tank_width && !options.tank_height) return std::nullopt;
@@ -268,6 +291,7 @@ void open_foreign_series(Run& run, const SourceOptions& stated) {
   check_fall(run, frame);
   if (!options.column_width) require_start(run, "--column-width");
   run.notices = layout.notices();
+  tell_lone_faces(run, frame);
   for (const std::string& line : assumed) run.notices.push_back("assumed: " + line);
 }
 

@@ -201,8 +201,11 @@ bool TypeValues::contain(double value) const {
 std::string TypeValues::text() const {
   std::string text;
   for (const auto& [first, last] : ranges_) {
-    text += (text.empty() ? "" : ",") + std::to_string(first);
-    if (last != first) text.append("-").append(std::to_string(last));
+    if (!text.empty()) text += ',';
+    text += std::to_string(first);
+    if (last == first) continue;
+    text += '-';
+    text += std::to_string(last);
   }
   return text;
 }
