@@ -222,7 +222,7 @@ void check_fall(const Run& run, const ParticleFrame& first) {
     // Sideways the water may go as it likes, but across the surge it has no reason to.
     const std::size_t across = 3 - up;
     const double aside = a[across] - b[across];
-    if (run.physics.dimension == 2 || aside < 2.0 * l0 || aside < 4.0 * std::abs(sunk)) return;
+    if (run.physics.dimension == 2 || aside < 0.5 * l0 || aside < 4.0 * std::abs(sunk)) return;
   }
   const std::string moved = vector_text({b[0] - a[0], b[1] - a[1], b[2] - a[2]});
   throw Error(run.path.string() +

@@ -12,10 +12,10 @@
 #include <algorithm>
 #include <new>
 
-#include "compare/read/delimited.hpp"
 #include "compare/read/legacy_vtk.hpp"
 #include "compare/read/particle_table.hpp"
 #include "compare/read/readers.hpp"
+#include "compare/read/xml_vtk.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -24,33 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-/// VTK takes the counts in the tags of an XML file on trust, and loops or takes memory for what
-/// they announce: none may be more than the file can hold.
-void check_xml_counts(const fs::path& file) {
-  std::string text = bytes_between(file, 0, 0);
-  text.resize(std::min(text.find("<AppendedData"), text.size()));
-  constexpr double most_components = 100.0;
-  // Compressed values take a thousandth of their size at least.
-  const double most = 1000.0 * static_cast<double>(fs::file_size(file));
-  constexpr std::string_view key = "NumberOf";
-  for (auto at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
-    const auto sign = text.find('=', at);
-    const auto quote = text.find_first_of("\"'>", at);
-    if (sign == std::string::npos || quote == std::string::npos || text[quote] == '>') continue;
-    const std::string name = text.substr(at, text.find_first_of(" =\t\n", at) - at);
-    const std::string_view word = trimmed(
-        std::string_view(text).substr(quote + 1, text.find(text[quote], quote + 1) - quote - 1));
-    const auto count = number_in(word);
-    if (!count || !(*count >= 0.0) ||
-        *count > (name == "NumberOfComponents" ? most_components : most))
-      throw Error(file.string() + ": " + name + ": found \"" + std::string(word.substr(0, 40)) +
-                  "\", expected a count that the file can hold");
-  }
-}
-
 template <class Reader>
 vtkSmartPointer<vtkPointSet> read_xml(const fs::path& file, const std::optional<Names>& arrays) {
-  check_xml_counts(file);
+  check_xml_vtk(file);
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();

@@ -38,14 +38,19 @@ void apply_options(Run& run, const SourceOptions& options) {
 }
 
 /// Our own manifest states all that the options could say; saying it twice would hide a mistake.
-void refuse_options(const fs::path& path, const SourceOptions& options) {
-  if (options.column_width || options.column_height || options.gravity || options.tank_width ||
-      options.tank_height || options.spacing || options.dimension || options.time_step) {
+void refuse_options(const fs::path& path, const SourceOptions& o) {
+  const SourceOptions usual;
+  const bool facts = o.column_width || o.column_height || o.gravity || o.tank_width ||
+                     o.tank_height || o.spacing || o.dimension || o.time_step || o.first_time;
+  const bool names = o.axes || o.vertical_stated || !o.format.empty() || !o.files.empty() ||
+                     !o.walls.empty() || !o.groups.empty() || !o.position_array.empty() ||
+                     o.velocity_array != usual.velocity_array ||
+                     o.pressure_array != usual.pressure_array || o.type_required || o.fluid_type ||
+                     o.all_fluid || !o.time_array.empty() || !o.time_file.empty();
+  if (facts || names)
     throw Error(path.string() +
-                ": has a manifest.json that states the case, so --column-width, --column-height, "
-                "--gravity, "
-                "--tank-width, --spacing, --dimension and --time-step are not for it");
-  }
+                ": has a manifest.json that states the case and the files, so options about files "
+                "(--spacing, --gravity, --type-array and the like) are not for it");
 }
 
 /// The names in our own files.

@@ -64,6 +64,18 @@ TEST(HostileParticles, CountsThatNoFileHoldsAreRefused) {
   EXPECT_THAT(error_of([&] { (void)parts_of(folder / "dump.x", {}); }), HasSubstr("ends before"));
 }
 
+TEST(HostileParticles, NumberThatIsSplitIsFound) {
+  const TemporaryFolder folder;
+  testing::write_mps_basic(folder.path());
+  const auto file = folder / "output_0001.vtu";
+  std::ifstream in(file);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto at = text.find("0.165");
+  write_text(file, text.replace(at + 3, 1, " "));
+  EXPECT_THAT(error_of([&] { (void)read_points(file, std::nullopt); }),
+              HasSubstr("DataArray Points: 907 values found, 906 expected"));
+}
+
 TEST(HostileParticles, Hdf5LeadsNowhereElse) {
   const TemporaryFolder folder;
   testing::write_h5part(folder / "other.h5");
