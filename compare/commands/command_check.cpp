@@ -36,7 +36,8 @@ void print_findings(const std::vector<Finding>& findings) {
 void bless_run(const Arguments& arguments) {
   const Provenance measured = provenance_now(arguments.reason);
   const FrontOptions options = arguments.front.get(std::nullopt);
-  const MeasuredRun run = measure(open_run(arguments.run, arguments.files.get()), options);
+  const MeasuredRun run = measure(
+      open_run(arguments.run, arguments.files.get(std::filesystem::path(arguments.run))), options);
   print_notices(run.run);
   const Tolerances tolerances{DimensionlessLength(arguments.tolerance_front),
                               DimensionlessTime(arguments.tolerance_time)};
@@ -56,7 +57,8 @@ int check_run(const Arguments& arguments) {
   FrontOptions options;
   options.strip_height = baseline.strip_height;
   options.linking_length = baseline.linking_length;
-  const MeasuredRun run = measure(open_run(arguments.run, arguments.files.get()), options);
+  const MeasuredRun run = measure(
+      open_run(arguments.run, arguments.files.get(std::filesystem::path(arguments.run))), options);
   print_notices(run.run);
   const std::vector<Finding> findings = check(run, baseline);
   print_findings(findings);

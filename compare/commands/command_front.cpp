@@ -22,7 +22,8 @@ void run_front(const Arguments& arguments) {
   std::optional<Study> study;
   if (!arguments.study.empty()) study = read_study(arguments.study);
   const FrontOptions options = arguments.front.get(study);
-  Run run = open_run(arguments.source, arguments.files.get());
+  Run run =
+      open_run(arguments.source, arguments.files.get(std::filesystem::path(arguments.source)));
   const FrontHistory history = measure_front(run, options);
   write_front_csv(arguments.out, history, run.physics.scales());
   if (is_unfinished(run))
@@ -56,7 +57,8 @@ void add_front_command(CLI::App& app) {
       "  surge-compare front runs/mps-paper-0.005 --out mps.csv\n"
       "  surge-compare front foam_cases/damBreak2D --out vof.csv --strip-height 0.015\n"
       "  surge-compare front 'out/fluid_*.vtk' --out dsph.csv --spacing 0.005 --gravity 9.81 "
-      "--time-step 0.01");
+      "--time-step 0.01\n"
+      "  surge-compare front results --out mine.csv --map mine.toml");
   command->callback([arguments] { run_front(*arguments); });
 }
 

@@ -55,14 +55,11 @@ void run_metrics(const Arguments& arguments) {
   options.wall_distance = DimensionlessLength(arguments.wall_distance);
   options.allowed_differences.insert(arguments.allow.begin(), arguments.allow.end());
   const std::vector<PublishedSeries> published = arguments.study.published(study);
-  const SourceOptions files = arguments.files.get();
-  SourceOptions own;
-  own.alpha_array = files.alpha_array;
+  const std::vector<std::filesystem::path> sources = arguments.study.runs(study);
+  const std::vector<SourceOptions> files = arguments.files.get(sources);
   std::vector<MeasuredRun> runs;
-  for (const std::filesystem::path& path : arguments.study.runs(study)) {
-    // Options about foreign files are for those only; runs with a manifest state their case.
-    const bool stated = std::filesystem::exists(path / "manifest.json");
-    runs.push_back(measure(open_run(path, stated ? own : files), options.front));
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    runs.push_back(measure(open_run(sources[i], files[i]), options.front));
     print_notices(runs.back().run);
   }
   const nlohmann::json result = metrics(runs, arguments.study.reference(study), published, options);
@@ -96,7 +93,9 @@ void add_metrics_command(CLI::App& app) {
       "Examples:\n"
       "  surge-compare metrics --study compare/studies/dam_break.toml --out report/metrics.json\n"
       "  surge-compare metrics runs/mps-paper-0.005 --reference runs/vof-20 --out metrics.json \\\n"
-      "    --published compare/reference/martin_moyce_1952_2.25in.csv");
+      "    --published compare/reference/martin_moyce_1952_2.25in.csv\n"
+      "  surge-compare metrics pysph openmps --reference runs/vof-20 --out metrics.json \\\n"
+      "    --spacing pysph=0.0145 --gravity pysph=9.81 --map openmps=openmps.toml");
   command->callback([arguments] { run_metrics(*arguments); });
 }
 

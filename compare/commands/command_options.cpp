@@ -1,5 +1,6 @@
 #include "compare/commands/command_options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -20,82 +21,119 @@ std::optional<Kind> positive(const char* option, std::optional<double> value) {
   return Kind(*value);
 }
 
+std::string option_name(const std::string& key) {
+  std::string name = "--" + key;
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+std::vector<std::string> comma_words(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const auto first = text.find_first_not_of(' ', at);
+    const auto last = text.find_last_not_of(' ', end == 0 ? 0 : end - 1);
+    words.push_back(first < end && last != std::string::npos ? text.substr(first, last - first + 1)
+                                                             : "");
+    at = end + 1;
+  }
+  return words;
+}
+
+/// Whether an option may be about a source: our own runs state all that it could say.
+bool may_concern(const std::string& key, const fs::path& source) {
+  if (key == "alpha_array") return fs::exists(source / "system" / "controlDict");
+  return !fs::exists(source / "manifest.json");
+}
+
+/// The source that `NAME=VALUE` or `VALUE` is about, and the value.
+std::pair<std::size_t, std::string> addressed(const std::string& option, const std::string& key,
+                                              const std::string& text,
+                                              const std::vector<fs::path>& sources) {
+  const auto sign = text.find('=');
+  if (sign != std::string::npos && sign > 0) {
+    const std::string name = text.substr(0, sign);
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      if (name != sources[i].string() && name != run_name(sources[i])) continue;
+      if (found && sources[*found] != sources[i])
+        throw Error(option + ": two sources are called \"" + name + "\", expected a path");
+      found = i;
+    }
+    if (found) return {*found, text.substr(sign + 1)};
+  }
+  std::string names;
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (!may_concern(key, sources[i])) continue;
+    candidates.push_back(i);
+    names += (names.empty() ? "" : ", ") + run_name(sources[i]);
+  }
+  // With one source there is no doubt, even if it refuses the option.
+  if (candidates.empty() && sources.size() == 1) candidates.push_back(0);
+  if (candidates.size() == 1) return {candidates.front(), text};
+  if (candidates.empty())
+    throw Error(option + ": \"" + text + "\" found, but every source states that itself");
+  throw Error(option + ": \"" + text + "\" found, expected NAME=VALUE with one of " + names);
+}
+
 }  // namespace
 
 void SourceArguments::add_to(CLI::App& app) {
-  const std::string group = "What the files do not say";
-  app.add_option("--column-width", column_width_, "L, width of the column at time 0, m")
-      ->group(group);
-  app.add_option("--column-height", column_height_, "height of the column at time 0, m")
-      ->group(group);
-  app.add_option("--tank-width", tank_width_, "far wall from the column's wall, m")->group(group);
-  app.add_option("--gravity", options_.gravity, "magnitude, m/s2")->group(group);
-  app.add_option("--vertical", vertical_, "axis that gravity points down along")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--dimension", options_.dimension, "2 or 3")
-      ->check(CLI::Range(2, 3))
-      ->group(group);
-  app.add_option("--spacing", spacing_, "particle spacing l0, m")->group(group);
-  app.add_option("--time-step", time_step_, "s between files; goes before the times in the files")
-      ->group(group);
-  const std::string names = "Names of arrays in foreign files";
-  app.add_option("--velocity-array", options_.velocity_array)->capture_default_str()->group(names);
-  app.add_option("--pressure-array", options_.pressure_array)->capture_default_str()->group(names);
-  app.add_option("--type-array", type_array_,
-                 "array that tells fluid from walls [type, if there is one]")
-      ->group(names);
-  app.add_option("--fluid-type", options_.fluid_type, "its value for fluid")
-      ->capture_default_str()
-      ->group(names);
-  app.add_option("--alpha-array", options_.alpha_array,
-                 "volume fraction of water in an OpenFOAM case")
-      ->capture_default_str()
-      ->group(names);
+  const std::string group = "What a source's files do not say (NAME=VALUE for one of several)";
+  const auto add = [&](const std::string& key, const std::string& help, bool list) {
+    given_.push_back(std::make_unique<Given>(Given{key, {}, list}));
+    app.add_option(option_name(key), given_.back()->values, help)
+        ->group(group)
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name(list ? "A,B,..." : "VALUE");
+  };
+  add("map", "file (TOML) with these facts, its keys as the options with _ for -", false);
+  for (const SourceKey& key : source_keys()) add(key.name, key.help, key.list);
 }
 
-SourceOptions SourceArguments::get() const {
-  SourceOptions options = options_;
-  options.column_width = positive<Metres>("--column-width", column_width_);
-  options.column_height = positive<Metres>("--column-height", column_height_);
-  options.tank_width = positive<Metres>("--tank-width", tank_width_);
-  options.gravity = positive<double>("--gravity", options_.gravity);
-  options.spacing = positive<Metres>("--spacing", spacing_);
-  options.time_step = positive<Seconds>("--time-step", time_step_);
-  options.vertical_axis = vertical_ == "z" ? 2 : 1;
-  options.type_required = type_array_.has_value();
-  if (type_array_) options.type_array = *type_array_;
+std::vector<SourceOptions> SourceArguments::get(const std::vector<fs::path>& sources) const {
+  std::vector<SourceOptions> options(sources.size());
+  // The map comes first, so that an option beside it changes one fact of it.
+  for (const auto& given : given_) {
+    for (const std::string& text : given->values) {
+      const auto [index, value] = addressed(option_name(given->key), given->key, text, sources);
+      if (given->key == "map") {
+        options[index] = read_source_map(value, options[index]);
+        continue;
+      }
+      const std::vector<std::string> words =
+          given->list ? comma_words(value) : std::vector<std::string>{value};
+      set_source_option(options[index], given->key, words, option_name(given->key), ".");
+    }
+  }
   return options;
 }
 
+SourceOptions SourceArguments::get(const fs::path& source) const {
+  return get(std::vector<fs::path>{source}).front();
+}
+
 SourceOptions source_options(const StudyRun& run) {
-  CLI::App app;
-  SourceArguments arguments;
-  arguments.add_to(app);
-  std::vector<std::string> words;  // CLI11 takes them from the end
-  const auto add = [&](const std::string& key, const std::string& value) {
-    const CLI::Option* option = app.get_option_no_throw("--" + key);
-    if (option == nullptr || key == "help")
-      throw Error(run.place + ".read." + key +
-                  ": found no such option, expected one of "
-                  "surge-compare front --help that says what files do not");
-    if (option->get_expected_max() == 0) {
-      if (value == "true") words.push_back("--" + key);
-    } else {
-      words.push_back("--" + key + "=" + value);
-    }
-  };
-  for (const auto& [key, value] : run.read) add(key, value);
-  if (run.map) add("map", run.map->string());
-  try {
-    app.parse(words);
-    return arguments.get();
-  } catch (const CLI::ParseError& error) {
-    throw Error(run.place + ".read: " + error.what());
-  } catch (const Error& error) {
-    throw Error(run.place + ".read: " + error.what());
+  SourceOptions options;
+  if (run.map) options = read_source_map(*run.map, options);
+  for (const auto& [option, value] : run.read) {
+    std::string name = option;
+    std::replace(name.begin(), name.end(), '-', '_');
+    const auto& keys = source_keys();
+    const auto key =
+        std::find_if(keys.begin(), keys.end(), [&](const SourceKey& k) { return k.name == name; });
+    const std::string place = run.place + ".read." + option;
+    if (key == keys.end())
+      throw Error(place +
+                  ": found no such option, expected one of those about a source's files in "
+                  "surge-compare front --help");
+    const std::vector<std::string> words =
+        key->list ? comma_words(value) : std::vector<std::string>{value};
+    set_source_option(options, name, words, place, ".");
   }
+  return options;
 }
 
 void FrontArguments::add_to(CLI::App& app) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,22 +14,27 @@
 
 namespace surge::compare {
 
-/// Options that say what a source's files do not.
+/// Options that say what a source's files do not: `--spacing 0.01`, or `--spacing NAME=0.01` where
+/// a comparison has several sources that need some (NAME as a run's folder is called, or the path
+/// as it was typed). Each belongs to one source, never to all of them.
 class SourceArguments {
  public:
   void add_to(CLI::App& app);
-  /// Throws surge::Error for a number that cannot be.
-  [[nodiscard]] SourceOptions get() const;
+  /// The options of each source, in their order. A value without a name belongs to the only source
+  /// that can take it: one without a manifest.json, for --alpha-array an OpenFOAM case. Throws
+  /// surge::Error for a number that cannot be, for a name that no source has, and for a value
+  /// without a name where several sources could be meant.
+  [[nodiscard]] std::vector<SourceOptions> get(
+      const std::vector<std::filesystem::path>& sources) const;
+  [[nodiscard]] SourceOptions get(const std::filesystem::path& source) const;
 
  private:
-  SourceOptions options_;
-  std::optional<double> column_width_;
-  std::optional<double> column_height_;
-  std::optional<double> tank_width_;
-  std::optional<double> spacing_;
-  std::optional<double> time_step_;
-  std::optional<std::string> type_array_;
-  std::string vertical_ = "y";
+  struct Given {
+    std::string key;
+    std::vector<std::string> values;
+    bool list = false;
+  };
+  std::vector<std::unique_ptr<Given>> given_;
 };
 
 /// What the `read` table and the map of a run of program "files" say, understood as the options of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "compare/read/pieces.hpp"
@@ -67,6 +68,81 @@ void check_speed(const Run& run, const FrontHistory& history) {
   }
 }
 
+/// By how far (m) the particle at the leading edge is ahead of the next one in the strip.
+double lead_of(const ParticleFrame& frame, const Physics& physics, double edge, Metres spacing,
+               const FrontOptions& options) {
+  const double direction = physics.surge_direction();
+  const auto up = static_cast<std::size_t>(physics.vertical_axis());
+  const double top = physics.floor() + options.strip_height.value() * (1.0 + 1e-9);
+  const double foremost = direction * edge - 0.5 * spacing.value();
+  double next = -std::numeric_limits<double>::infinity();
+  std::size_t there = 0;
+  for (const Vec3& x : frame.position) {
+    const double along = direction * x[0];
+    if (x[up] > top || along > foremost + 1e-9 * spacing.value()) continue;
+    if (along >= foremost - 1e-9 * spacing.value() && ++there == 1) continue;
+    next = std::max(next, along);
+  }
+  return foremost - next;
+}
+
+/// Where one particle makes the leading edge, its lead is part of the edge's uncertainty.
+class Leads {
+ public:
+  void add(double lead, Metres spacing) {
+    if (!(lead > 0.2 * spacing.value())) return;
+    ++count_;
+    most_ = std::max(most_, lead);
+  }
+  void tell(Run& run, std::size_t frames) const {
+    if (count_ == 0) return;
+    run.notices.push_back("in " + std::to_string(count_) + " of " + std::to_string(frames) +
+                          " frames one particle makes the leading edge, up to " +
+                          number_text(std::round(most_ * 1e6) / 1e6) + " m ahead of the next");
+  }
+
+ private:
+  std::size_t count_ = 0;
+  double most_ = 0.0;
+};
+
+std::string short_text(double value) {
+  return number_text(std::round(value * 1e6) / 1e6);
+}
+
+/// A surge goes forward until it meets a wall, by about as much from frame to frame. Where it goes
+/// back or jumps, water has left or joined the main body, or files of a foreign source are out of
+/// order or of two runs.
+void tell_course(Run& run, const FrontHistory& history) {
+  if (!run.manifest.is_null() || run.is_mesh()) return;
+  const double l0 = run.spacing.value();
+  const double wall = run.physics.far_wall() ? run.physics.far_wall()->value() - 4.0 * l0
+                                             : std::numeric_limits<double>::infinity();
+  const auto step = [&](std::size_t i) {
+    return i == 0 || i >= history.size() ? 0.0
+                                         : (history[i].position - history[i - 1].position).value();
+  };
+  std::size_t back = 0, jumps = 0;
+  std::string first_back, first_jump;
+  double farthest = history.front().position.value();
+  for (std::size_t i = 1; i < history.size() && farthest < wall; ++i) {
+    const std::string place = " m at " + short_text(history[i].time.value()) + " s";
+    const double here = history[i].position.value();
+    if (here < farthest - 0.2 * l0 && back++ == 0)
+      first_back = short_text(farthest) + " m to " + short_text(here) + place;
+    if (step(i) > 2.0 * l0 && step(i) > 2.5 * std::max(step(i - 1), step(i + 1)) && jumps++ == 0)
+      first_jump = short_text(step(i)) + place;
+    farthest = std::max(farthest, here);
+  }
+  const std::string reason = " (water that leaves or joins the main body, or files out of order)";
+  if (back > 0)
+    run.notices.push_back("the leading edge goes back in " + std::to_string(back) +
+                          " frames, first from " + first_back + reason);
+  if (jumps > 0 && history.size() > 2)
+    run.notices.push_back("the leading edge jumps in " + std::to_string(jumps) +
+                          " frames, first by " + first_jump + reason);
+}
+
 }  // namespace
 
 std::optional<DimensionlessLength> DimensionlessFront::at(DimensionlessTime time) const {
@@ -121,11 +197,14 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
   const std::vector<Seconds>& times = run.frames->times();
   FrontHistory history;
   MeshFront mesh_front;
+  Leads leads;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Frame frame = run.frames->read(i, Fields{});
     std::optional<double> edge;
     if (const auto* particles = std::get_if<ParticleFrame>(&frame)) {
       edge = leading_edge(*particles, run.physics, run.spacing, options);
+      if (edge && run.kind == SourceKind::particle_series && !options.raw_maximum)
+        leads.add(lead_of(*particles, run.physics, *edge, run.spacing, options), run.spacing);
     } else {
       edge = mesh_front.leading_edge(std::get<MeshFrame>(frame), run.physics, options);
     }
@@ -139,6 +218,8 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
                 " m above the floor at the first frame");
   }
   check_speed(run, history);
+  tell_course(run, history);
+  leads.tell(run, history.size());
   for (const std::string& notice : run.frames->notices()) run.notices.push_back(notice);
   return history;
 }

@@ -1,25 +1,19 @@
 #include "compare/read/first_frame.hpp"
 
-#include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkStaticPointLocator.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include "compare/read/pieces.hpp"
-#include "compare/read/readers.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -30,16 +24,16 @@ constexpr double least_main_body = 0.9;   ///< of the particles
 constexpr double least_fill = 0.85;       ///< of the box that a column spans
 constexpr double most_fill = 1.15;
 
-/// The distinct values of an array; none where they are many or not whole.
-std::vector<double> few_values(vtkDataArray& array) {
-  std::set<double> values;
-  for (vtkIdType i = 0; i < array.GetNumberOfTuples(); ++i) {
-    const double value = array.GetComponent(i, 0);
+/// The distinct values of an array with the particles that have each; none where they are many or
+/// not whole.
+std::map<double, std::size_t> few_values(const std::vector<double>& values) {
+  std::map<double, std::size_t> found;
+  for (const double value : values) {
     if (value != std::round(value)) return {};
-    values.insert(value);
-    if (values.size() > most_values) return {};
+    ++found[value];
+    if (found.size() > most_values) return {};
   }
-  return {values.begin(), values.end()};
+  return found;
 }
 
 [[noreturn]] void refuse(const Run& run, const std::string& found, const std::string& expected) {
@@ -92,25 +86,30 @@ void check_column(const Run& run, const ParticleFrame& frame) {
 }  // namespace
 
 std::string ArrayFound::text() const {
-  std::string text = name + " (" + std::to_string(components) +
-                     (components == 1 ? " component, " : " components, ") + number_text(lower) +
-                     " to " + number_text(upper);
+  std::string text = name + " (" + type + ", " + std::to_string(components) +
+                     (components == 1 ? " component" : " components");
+  if (type != "text") text += ", " + number_text(lower) + " to " + number_text(upper);
   for (std::size_t i = 0; i < values.size(); ++i)
-    text += (i == 0 ? ": " : ", ") + number_text(values[i]);
+    text += (i == 0 ? ": " : ", ") + number_text(values[i]) + " x " + std::to_string(counts[i]);
   return text + ")";
 }
 
-std::vector<ArrayFound> arrays_of(const fs::path& file) {
-  const vtkSmartPointer<vtkPointSet> points = read_points(file, std::nullopt);
+std::vector<ArrayFound> arrays_of(const ParticleTable& table) {
   std::vector<ArrayFound> found;
-  vtkPointData& data = *points->GetPointData();
-  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
-    vtkDataArray* array = data.GetArray(i);
-    if (array == nullptr || array->GetName() == nullptr) continue;
-    double range[2];
-    array->GetRange(range, 0);
-    ArrayFound entry{array->GetName(), array->GetNumberOfComponents(), range[0], range[1], {}};
-    if (entry.components == 1) entry.values = few_values(*array);
+  for (const ParticleArray& array : table.arrays) {
+    ArrayFound entry{array.name, array.type, array.components, 0.0, 0.0, {}, {}};
+    bool started = false;
+    for (const double value : array.values) {
+      if (!std::isfinite(value)) continue;
+      entry.lower = started ? std::min(entry.lower, value) : value;
+      entry.upper = started ? std::max(entry.upper, value) : value;
+      started = true;
+    }
+    if (entry.components == 1)
+      for (const auto& [value, count] : few_values(array.values)) {
+        entry.values.push_back(value);
+        entry.counts.push_back(count);
+      }
     found.push_back(std::move(entry));
   }
   return found;

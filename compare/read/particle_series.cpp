@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "compare/read/numbered_files.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
@@ -15,35 +16,6 @@ namespace surge::compare {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_particle_file(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".vtp" || extension == ".vtu" || extension == ".vtk";
-}
-
-/// The last number in a file's name, by which its series is ordered.
-std::optional<long long> number_of(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  const auto last = stem.find_last_of("0123456789");
-  if (last == std::string::npos) return std::nullopt;
-  const auto before = stem.find_last_not_of("0123456789", last);
-  const auto first = before == std::string::npos ? 0 : before + 1;
-  if (last - first >= 18) return std::nullopt;
-  return std::stoll(stem.substr(first, last - first + 1));
-}
-
-/// `*` stands for any characters.
-bool matches(std::string_view text, std::string_view pattern) {
-  if (pattern.empty()) return text.empty();
-  if (pattern.front() == '*') {
-    for (std::size_t skip = 0; skip <= text.size(); ++skip) {
-      if (matches(text.substr(skip), pattern.substr(1))) return true;
-    }
-    return false;
-  }
-  return !text.empty() && text.front() == pattern.front() &&
-         matches(text.substr(1), pattern.substr(1));
-}
 
 /// The whole of a time step's text as a finite number.
 Seconds collection_time(std::string_view text, const std::string& place) {
@@ -66,8 +38,39 @@ std::string slashes(std::string name) {
   return name;
 }
 
+/// "sub%20dir" as some programs write "sub dir".
+std::string without_percent(const std::string& name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2 &&
+        code >= 0x20) {
+      plain += static_cast<char>(code);
+      i += 2;
+    } else {
+      plain += name[i];
+    }
+  }
+  return plain;
+}
+
+/// A file that a collection names; nothing outside the collection's folder is followed.
+fs::path named_file(const fs::path& collection, const std::string& name) {
+  const fs::path folder = collection.has_parent_path() ? collection.parent_path() : fs::path(".");
+  fs::path file = folder / slashes(name);
+  std::error_code failed;
+  if (!fs::exists(file, failed)) file = folder / without_percent(slashes(name));
+  const fs::path inside = fs::relative(fs::weakly_canonical(file, failed),
+                                       fs::weakly_canonical(folder, failed), failed);
+  if (failed || inside.empty() || *inside.begin() == "..")
+    throw Error(collection.string() + ": " + name +
+                ": outside of the collection's folder, which is not followed");
+  return file;
+}
+
 std::vector<SeriesEntry> list_collection(const fs::path& file) {
-  if (!fs::is_regular_file(file)) throw Error(file.string() + ": no such file");
+  require_regular(file);
   const VtkErrors errors;
   const auto root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
@@ -90,7 +93,7 @@ std::vector<SeriesEntry> list_collection(const fs::path& file) {
                   ": increasing times expected (are two runs in one collection?)");
     }
     if (list.empty() || time > *list.back().time) {
-      list.push_back({time, std::nullopt, {}});
+      list.push_back({time, std::nullopt, {}, {}});
       parts.clear();
     }
     const char* part = element->GetAttribute("part");
@@ -98,7 +101,7 @@ std::vector<SeriesEntry> list_collection(const fs::path& file) {
       throw Error(place + ": a second file of part " + (part ? part : "0") + " at time " + stated +
                   ": one file per part and time expected (are two runs in one collection?)");
     }
-    list.back().files.push_back(file.parent_path() / slashes(name));
+    list.back().files.push_back(named_file(file, name));
   }
   return list;
 }
@@ -121,15 +124,40 @@ std::vector<SeriesEntry> list_file_series(const fs::path& file) {
       throw Error(place + ": time " + number_text(time.value()) + " after " +
                   number_text(list.back().time->value()) + ": increasing times expected");
     list.push_back(
-        {time, std::nullopt, {file.parent_path() / entry.at("name").get<std::string>()}});
+        {time, std::nullopt, {named_file(file, entry.at("name").get<std::string>())}, {}});
   }
   return list;
 }
 
-/// The files that a parallel file (.pvtu, .pvtp) is made of; any other file is itself.
-std::vector<fs::path> pieces_of(const fs::path& file) {
+/// Of the files that a collection names those with the fluid, as far as the options tell them.
+void keep_fluid(std::vector<SeriesEntry>& entries, const SourceOptions& options) {
+  const auto fits = [](const fs::path& file, const std::vector<std::string>& patterns) {
+    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+      return matches(file.filename().string(), pattern);
+    });
+  };
+  for (SeriesEntry& entry : entries)
+    std::erase_if(entry.files, [&](const fs::path& file) {
+      return (!options.files.empty() && !fits(file, options.files)) || fits(file, options.walls);
+    });
+  std::erase_if(entries, [](const SeriesEntry& entry) { return entry.files.empty(); });
+}
+
+/// Every file belongs to one time.
+void refuse_repeats(const fs::path& path, const std::vector<SeriesEntry>& entries) {
+  std::map<fs::path, std::size_t> seen;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    for (const fs::path& file : entries[i].files)
+      if (!seen.emplace(file.lexically_normal(), i).second)
+        throw Error(path.string() + ": names " + file.filename().string() +
+                    " twice, one time for each file expected");
+}
+
+}  // namespace
+
+std::vector<fs::path> parallel_pieces(const fs::path& file) {
   if (file.extension() != ".pvtu" && file.extension() != ".pvtp") return {file};
-  if (!fs::is_regular_file(file)) throw Error(file.string() + ": no such file");
+  require_regular(file);
   const VtkErrors errors;
   const auto root =
       vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
@@ -141,70 +169,49 @@ std::vector<fs::path> pieces_of(const fs::path& file) {
       vtkXMLDataElement* piece = grid->GetNestedElement(k);
       const char* source = piece->GetAttribute("Source");
       if (std::string_view(piece->GetName()) == "Piece" && source)
-        files.push_back(file.parent_path() / source);
+        files.push_back(named_file(file, source));
     }
   }
   if (files.empty()) throw Error(file.string() + ": no <Piece Source=...> found, one expected");
   return files;
 }
 
-std::vector<SeriesEntry> list_numbered(const fs::path& folder, std::string_view pattern) {
-  std::map<long long, fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const fs::path& file = entry.path();
-    if (!is_particle_file(file) || !matches(file.filename().string(), pattern)) continue;
-    const auto number = number_of(file);
-    if (!number) continue;
-    const auto [other, is_new] = files.emplace(*number, file);
-    if (!is_new) {
-      throw Error(folder.string() + ": both " + other->second.filename().string() + " and " +
-                  file.filename().string() + " are number " + std::to_string(*number) +
-                  ", one series expected (name it by a pattern such as \"fluid_*.vtk\")");
-    }
-  }
-  std::vector<SeriesEntry> list;
-  list.reserve(files.size());
-  for (const auto& [number, file] : files) list.push_back({std::nullopt, number, {file}});
-  return list;
-}
-
-}  // namespace
-
-std::vector<SeriesEntry> list_series(const fs::path& path) {
+std::vector<SeriesEntry> list_series(const fs::path& path, const SourceOptions& options) {
   std::vector<SeriesEntry> entries;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (path.filename().string().find('*') != std::string::npos) {
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder)) throw Error(folder.string() + ": no such folder");
-    entries = list_numbered(folder, path.filename().string());
+    entries = list_numbered(folder, {path.filename().string()}, options.walls);
   } else if (path.extension() == ".pvd") {
     entries = list_collection(path);
   } else if (path.extension() == ".series") {
     entries = list_file_series(path);
   } else if (fs::is_directory(path)) {
-    entries = list_numbered(path, "*");
+    entries = list_numbered(path, options.files, options.walls);
+  } else if (has_particle_name(path)) {
+    entries.push_back({std::nullopt, std::nullopt, {path}, {}});
   } else {
     throw Error(path.string() +
-                ": a file found, a .pvd, a .series, a folder or a pattern such as \"fluid_*.vtk\" "
-                "expected");
+                ": a file found, a .pvd, a .series, a folder, a pattern such as \"fluid_*.vtk\" or "
+                "one file with particles expected");
   }
+  if (!fs::is_directory(path)) keep_fluid(entries, options);
   if (entries.empty())
-    throw Error(path.string() + ": no frame found, .vtp, .vtu or .vtk files expected");
+    throw Error(path.string() + ": no frame found, numbered files of particles expected");
   for (SeriesEntry& entry : entries) {
     std::vector<fs::path> files;
     for (const fs::path& file : entry.files) {
-      const std::vector<fs::path> pieces = pieces_of(file);
+      const std::vector<fs::path> pieces = parallel_pieces(file);
       files.insert(files.end(), pieces.begin(), pieces.end());
     }
     entry.files = std::move(files);
     for (const fs::path& file : entry.files) {
-      if (!fs::is_regular_file(file))
+      if (!fs::exists(file))
         throw Error(file.string() + ": no such file, a frame of " + path.string());
-      if (!is_particle_file(file)) {
-        throw Error(file.string() + ": " + file.extension().string() +
-                    " found, .vtp, .vtu or .vtk expected");
-      }
+      (void)format_of(file, options);
     }
   }
+  refuse_repeats(path, entries);
   return entries;
 }
 

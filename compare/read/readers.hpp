@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/read/particle_table.hpp"
 #include "compare/read/run.hpp"
 
 class vtkStringOutputWindow;
@@ -35,10 +36,23 @@ struct SeriesEntry {
   std::optional<Seconds> time;      ///< as a collection (.pvd) gives it
   std::optional<long long> number;  ///< in the name of the file, where that orders the series
   std::vector<std::filesystem::path> files;
+  FilePart part;        ///< of the file, where that holds many times (there is one file then)
+  bool parted = false;  ///< part is known
 };
 
-/// The entries of a .pvd, of a folder of numbered .vtp/.vtu/.vtk files, or of a pattern with `*`.
-[[nodiscard]] std::vector<SeriesEntry> list_series(const std::filesystem::path& path);
+/// The entries of a .pvd, a .series, of a folder of numbered files, a pattern with `*`, or of one
+/// file. Throws surge::Error for files of more than one run, for a file that is named twice, and
+/// for one outside of the folder of the collection that names it.
+[[nodiscard]] std::vector<SeriesEntry> list_series(const std::filesystem::path& path,
+                                                   const SourceOptions& options = {});
+
+/// The files that a parallel file (.pvtu, .pvtp) is made of; any other file is itself.
+[[nodiscard]] std::vector<std::filesystem::path> parallel_pieces(const std::filesystem::path& file);
+
+/// One entry for each time in the files of `entries` that state none themselves, with what their
+/// files say about the time.
+[[nodiscard]] std::vector<SeriesEntry> with_parts(std::vector<SeriesEntry> entries,
+                                                  const SourceOptions& options);
 
 /// The points of a .vtp, .vtu or .vtk file with those of the named arrays that it has; with all of
 /// its arrays where no names are given. Throws surge::Error where the file is cut short, holds no
@@ -46,8 +60,10 @@ struct SeriesEntry {
 [[nodiscard]] vtkSmartPointer<vtkPointSet> read_points(
     const std::filesystem::path& file, const std::optional<std::vector<std::string>>& arrays);
 
-/// The time in a file's field data: TimeValue, TIME, Time or time; empty where there is none.
-[[nodiscard]] std::optional<Seconds> stated_time(const std::filesystem::path& file);
+/// The time in a file's field data: under `name`, else TimeValue, TIME, Time or time; empty where
+/// there is none.
+[[nodiscard]] std::optional<Seconds> stated_time(const std::filesystem::path& file,
+                                                 const std::string& name = "");
 
 /// Reader of particle files: only the points and the arrays that are asked for are read.
 [[nodiscard]] std::unique_ptr<FrameReader> open_particle_series(std::vector<SeriesEntry> entries,

@@ -6,6 +6,8 @@
 
 #include "compare/read/first_frame.hpp"
 #include "compare/read/foam_case.hpp"
+#include "compare/read/foreign_series.hpp"
+#include "compare/read/particle_reader.hpp"
 #include "compare/read/readers.hpp"
 #include "compare/read/recorded.hpp"
 #include "particle/support/error.hpp"
@@ -17,77 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Lower and upper corner of points.
-Extent extent_of(std::size_t count, const auto& point) {
-  Extent box;
-  box.lower.fill(std::numeric_limits<double>::infinity());
-  box.upper.fill(-std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 x = point(i);
-    for (std::size_t a = 0; a < 3; ++a) {
-      box.lower[a] = std::min(box.lower[a], x[a]);
-      box.upper[a] = std::max(box.upper[a], x[a]);
-    }
-  }
-  return box;
-}
-
-void require_start(const Run& run, const std::string& option) {
-  if (std::abs(run.frames->times().front().value()) > 1e-12) {
-    throw Error(run.path.string() + ": the first time is " +
-                std::to_string(run.frames->times().front().value()) +
-                " s: the column at time 0 expected, or " + option);
-  }
-}
-
-/// What the files of a series do not say and the user has not said, asked for all at once with what
-/// was found.
-void ask_for_missing(const fs::path& path, const fs::path& first, bool has_time,
-                     const SourceOptions& options) {
-  const std::vector<ArrayFound> arrays = arrays_of(first);
-  const bool has_usual_type = std::any_of(arrays.begin(), arrays.end(), [&](const ArrayFound& a) {
-    return a.name == options.type_array;
-  });
-  std::string missing;
-  const auto ask = [&](const std::string& what) { missing += "\n  " + what; };
-  if (!options.spacing) ask("--spacing: particle spacing in m");
-  if (!options.gravity) ask("--gravity: m/s2");
-  if (!has_time) ask("--time-step: seconds from one number in the file names to the next");
-  if (!options.type_required && !has_usual_type) {
-    for (const ArrayFound& array : arrays) {
-      if (!array.looks_like_a_type()) continue;
-      ask("--type-array and --fluid-type: \"" + array.name + "\" looks like a type");
-    }
-  }
-  if (missing.empty()) return;
-  std::string found;
-  for (const ArrayFound& array : arrays) found += "\n  " + array.text();
-  throw Error(path.string() + ": expected, because the files do not say it:" + missing +
-              "\nfound in " + first.filename().string() +
-              (found.empty() ? ": points without arrays" : ", point arrays:" + found));
-}
-
-/// Column and tank of a foreign particle series: from its first frame and from what the user says.
-void apply_series(Run& run, const SourceOptions& options) {
-  run.method = "particles";
-  run.spacing = *options.spacing;
-  const auto up = static_cast<std::size_t>(options.vertical_axis);
-  Physics& physics = run.physics;
-  physics.gravity = Vec3{};
-  physics.gravity[up] = -*options.gravity;
-  const auto frame = std::get<ParticleFrame>(run.frames->read(0, Fields{}));
-  physics.column =
-      extent_of(frame.position.size(), [&](std::size_t i) { return frame.position[i]; });
-  const bool flat = physics.column.upper[2] - physics.column.lower[2] < run.spacing.value();
-  physics.dimension = options.dimension.value_or(flat && up != 2 ? 2 : 3);
-  for (std::size_t a = 0; a < 3; ++a) {
-    physics.column.lower[a] -= 0.5 * run.spacing.value();
-    physics.column.upper[a] += 0.5 * run.spacing.value();
-  }
-  check_first_frame(run, frame, options);
-  if (!options.column_width) require_start(run, "--column-width");
-}
-
 void apply_options(Run& run, const SourceOptions& options) {
   Physics& physics = run.physics;
   const auto up = static_cast<std::size_t>(physics.vertical_axis());
@@ -95,43 +26,40 @@ void apply_options(Run& run, const SourceOptions& options) {
     physics.column.upper[0] = physics.column.lower[0] + options.column_width->value();
   if (options.column_height)
     physics.column.upper[up] = physics.column.lower[up] + options.column_height->value();
-  if (options.tank_width) {
+  if (options.tank_width || options.tank_height) {
     if (!physics.tank) {
       physics.tank = physics.column;
       physics.tank->upper.fill(unknown);
     }
-    physics.tank->upper[0] = physics.column.lower[0] + options.tank_width->value();
+    if (options.tank_width)
+      physics.tank->upper[0] = physics.column.lower[0] + options.tank_width->value();
+    if (options.tank_height)
+      physics.tank->upper[up] = physics.column.lower[up] + options.tank_height->value();
   }
 }
 
 /// Our own manifest states all that the options could say; saying it twice would hide a mistake.
-void refuse_options(const fs::path& path, const SourceOptions& options) {
-  if (options.column_width || options.column_height || options.gravity || options.tank_width ||
-      options.spacing || options.dimension || options.time_step) {
+void refuse_options(const fs::path& path, const SourceOptions& o) {
+  const SourceOptions usual;
+  const bool facts = o.column_width || o.column_height || o.gravity || o.tank_width ||
+                     o.tank_height || o.spacing || o.dimension || o.time_step || o.first_time;
+  const bool names = o.axes || o.vertical_stated || !o.format.empty() || !o.files.empty() ||
+                     !o.walls.empty() || !o.groups.empty() || !o.position_array.empty() ||
+                     o.velocity_array != usual.velocity_array ||
+                     o.pressure_array != usual.pressure_array || o.type_required || o.fluid_type ||
+                     o.all_fluid || !o.time_array.empty() || !o.time_file.empty();
+  if (facts || names)
     throw Error(path.string() +
-                ": has a manifest.json that states the case, so --column-width, --column-height, "
-                "--gravity, "
-                "--tank-width, --spacing, --dimension and --time-step are not for it");
-  }
+                ": has a manifest.json that states the case and the files, so options about files "
+                "(--spacing, --gravity, --type-array and the like) are not for it");
 }
 
-SourceOptions without_foreign_names(SourceOptions options) {
-  const SourceOptions usual;
-  options.velocity_array = usual.velocity_array;
-  options.pressure_array = usual.pressure_array;
-  options.type_array = usual.type_array;
-  options.fluid_type = usual.fluid_type;
+/// The names in our own files.
+SourceOptions own_names() {
+  SourceOptions options;
   options.type_required = true;
   options.time_stated = true;
   return options;
-}
-
-bool has_particle_files(const fs::path& folder) {
-  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                     [](const fs::directory_entry& entry) {
-                       const std::string extension = entry.path().extension().string();
-                       return extension == ".vtp" || extension == ".vtu" || extension == ".vtk";
-                     });
 }
 
 /// The path as the user means it: particles.pvd inside a run folder is the run.
@@ -194,23 +122,11 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
     }
   } else if (stated) {
     run.kind = SourceKind::particle_run;
-    run.frames = open_particle_series(list_series(run.path / "particles.pvd"),
-                                      without_foreign_names(options));
+    run.frames = open_particle_series(list_series(run.path / "particles.pvd"), own_names());
     check_first_frame(run, std::get<ParticleFrame>(run.frames->read(0, Fields{})), options);
   } else {
-    if (folder && !has_particle_files(run.path)) {
-      throw Error(run.path.string() +
-                  ": neither manifest.json, system/controlDict nor .vtp, .vtu, .vtk files found, a "
-                  "run folder, an "
-                  "OpenFOAM case or a series of particle files expected");
-    }
     run.kind = SourceKind::particle_series;
-    std::vector<SeriesEntry> entries = list_series(run.path);
-    const fs::path first = entries.front().files.front();
-    const bool has_time = options.time_step || entries.front().time || stated_time(first);
-    ask_for_missing(run.path, first, has_time, options);
-    run.frames = open_particle_series(std::move(entries), options);
-    apply_series(run, options);
+    open_foreign_series(run, options);
   }
   if (!stated) apply_options(run, options);
   check_recorded(run);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compare/read/physics.hpp"
+#include "compare/read/source_options.hpp"
 #include "compare/read/units.hpp"
 
 class vtkUnstructuredGrid;
@@ -63,29 +64,9 @@ class FrameReader {
 [[nodiscard]] std::optional<std::size_t> frame_near(const std::vector<Seconds>& times,
                                                     Seconds time);
 
-/// What the user says about a source that its files do not say, or say under other names.
-struct SourceOptions {
-  std::optional<Metres> column_width;   ///< --column-width
-  std::optional<Metres> column_height;  ///< --column-height
-  std::optional<double> gravity;        ///< --gravity, magnitude, m/s2
-  std::optional<Metres> tank_width;     ///< --tank-width: far wall from the column's wall
-  std::optional<Metres> spacing;        ///< --spacing: l0
-  std::optional<Seconds> time_step;     ///< --time-step: between files that carry no time
-  std::optional<int> dimension;         ///< --dimension
-  int vertical_axis = 1;                ///< --vertical x|y|z, for sources that do not say
-  std::string velocity_array = "velocity";
-  std::string pressure_array = "pressure";
-  std::string type_array = "type";
-  bool type_required = false;  ///< set for our own runs and by --type-array; else all are fluid
-  bool time_stated = false;    ///< set for our own runs: each frame's file states its time
-  int fluid_type = 0;
-  std::string alpha_array = "alpha.water";
-};
-
 enum class SourceKind { openfoam, particle_run, particle_series };
 
-/// One source: an OpenFOAM case, a run folder of surge-particle, or any series of VTK particle
-/// files.
+/// One source: an OpenFOAM case, a run folder of surge-particle, or any series of particle files.
 struct Run {         // NOLINT(bugprone-exception-escape): what json destroys throws nothing
   std::string name;  ///< of its folder
   std::filesystem::path path;
@@ -107,8 +88,9 @@ struct Run {         // NOLINT(bugprone-exception-escape): what json destroys th
 [[nodiscard]] std::string run_name(const std::filesystem::path& path);
 
 /// Opens a source and checks that it exists, has frames and says enough to compute Z/L.
-/// `path` may be a run folder, an OpenFOAM case folder, a .pvd file, a folder of numbered
-/// .vtp/.vtu/.vtk files, or a pattern such as "out/fluid_*.vtu". Throws surge::Error.
+/// `path` may be a run folder, an OpenFOAM case folder, a .pvd or .series file, a folder of
+/// numbered particle files, a pattern such as "out/fluid_*.vtu", or one file that holds all times.
+/// Throws surge::Error.
 [[nodiscard]] Run open_run(const std::filesystem::path& path, const SourceOptions& options = {});
 
 }  // namespace surge::compare

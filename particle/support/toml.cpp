@@ -183,6 +183,29 @@ std::vector<std::string> TomlTable::scalars(std::string_view key) const {
   return values;
 }
 
+std::vector<std::string> TomlTable::words(std::string_view key) const {
+  const std::string expected = "a number, a text, or a list of them";
+  const toml::node& node = Access::require(*this, key, expected);
+  std::vector<std::string> words;
+  const auto add = [&](const toml::node& element) {
+    if (element.is_string()) {
+      words.push_back(element.as_string()->get());
+    } else if (element.is_integer()) {
+      words.push_back(std::to_string(element.as_integer()->get()));
+    } else if (const auto value = as_number(element)) {
+      words.push_back(number_text(*value));
+    } else {
+      throw error(key, describe(element), expected);
+    }
+  };
+  if (const toml::array* list = node.as_array()) {
+    for (const toml::node& element : *list) add(element);
+  } else {
+    add(node);
+  }
+  return words;
+}
+
 std::vector<std::vector<double>> TomlTable::matrix(std::string_view key,
                                                    std::optional<std::size_t> rows,
                                                    std::size_t columns) const {

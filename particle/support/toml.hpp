@@ -50,6 +50,8 @@ class TomlTable {
   [[nodiscard]] std::string scalar(std::string_view key) const;
   /// A list of them.
   [[nodiscard]] std::vector<std::string> scalars(std::string_view key) const;
+  /// A number, a text, or a list of them, each as the word that a command line would hold.
+  [[nodiscard]] std::vector<std::string> words(std::string_view key) const;
   /// A list of `rows` lists (of any number where that is not given) of `columns` numbers.
   [[nodiscard]] std::vector<std::vector<double>> matrix(std::string_view key,
                                                         std::optional<std::size_t> rows,

@@ -83,7 +83,7 @@ TEST(FirstFrame, ArrayThatLooksLikeATypeIsNamedWithItsValues) {
   type.resize(points.size(), 1);
   series.write(0, points, type, "Kind");
   EXPECT_THAT(series.error(), HasSubstr("\"Kind\" looks like a type"));
-  EXPECT_THAT(series.error(), HasSubstr("Kind (1 component, 1 to 3: 1, 3)"));
+  EXPECT_THAT(series.error(), HasSubstr("Kind (int, 1 component, 1 to 3: 1 x 102, 3 x 200)"));
   series.options.type_array = "Kind";
   series.options.type_required = true;
   series.options.fluid_type = 3;
@@ -96,7 +96,8 @@ TEST(FirstFrame, AllThatIsMissingIsAskedForAtOnce) {
   const TemporaryFolder folder;
   write_vtp(folder / "p_0.vtp", column(0), {}, "x");
   const std::string error = error_of([&] { (void)open_run(folder.path(), {}); });
-  for (const char* part : {"--spacing", "--gravity", "--time-step", "velocity (3 components"})
+  for (const char* part :
+       {"--spacing", "--gravity", "--time-step", "velocity (double, 3 components"})
     EXPECT_THAT(error, HasSubstr(part));
 }
 

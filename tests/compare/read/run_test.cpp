@@ -162,7 +162,8 @@ TEST(ForeignParticles, AreReadByPatternWithTheirOwnNames) {
 
   options.time_step = Seconds(0.5);
   EXPECT_NEAR(open_run(folder / "fluid_*.vtp", options).frames->times()[2].value(), 1.0, 1e-12);
-  EXPECT_THAT(error_of([&] { (void)open_run(folder.path(), options); }), HasSubstr("are number 0"));
+  // The names tell the fluid from the wall.
+  EXPECT_EQ(testing::refusal_of([&] { (void)open_run(folder.path(), options); }), "");
 }
 
 TEST(ForeignParticles, ColumnIsTakenFromTheFirstFrame) {
@@ -227,9 +228,9 @@ TEST(OpenRun, SaysWhatItExpected) {
               HasSubstr("no such file or folder"));
   EXPECT_THAT(error_of([&] { (void)open_run(folder.path()); }), HasSubstr("neither manifest.json"));
   EXPECT_THAT(error_of([&] { (void)open_run(folder / "a_*.vtp"); }), HasSubstr("no frame found"));
-  const auto text = write_text(folder / "a.txt", "x");
+  const auto text = write_text(folder / "a.xyz", "x");
   EXPECT_THAT(error_of([&] { (void)open_run(text); }),
-              HasSubstr("a .pvd, a .series, a folder or a pattern"));
+              HasSubstr("a .pvd, a .series, a folder, a pattern"));
   write_run(folder / "run", {0.0, 0.1}, surge);
   EXPECT_THAT(error_of([&] { (void)open_run(folder / "run", foreign()); }),
               HasSubstr("states the case"));
