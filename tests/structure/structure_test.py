@@ -82,7 +82,7 @@ class Structure(unittest.TestCase):
         self.assertIn("mps", methods)
         entry = (ROOT / METHODS).read_text(encoding="utf-8")
         for method in methods:
-            self.assertEqual(1, entry.count(f"{method}::"), f"{METHODS}: one entry of {method}")
+            self.assertEqual(1, len(re.findall(rf"\b{method}::", entry)), f"{METHODS}: one entry of {method}")
             named = re.compile(rf'"{method}"|\b{method}::|"particle/{method}/')
             for path in sources("particle"):
                 if path.suffix not in (".cpp", ".hpp", ".cmake", ".txt"):
