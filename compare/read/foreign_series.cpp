@@ -210,7 +210,7 @@ Vec3 centre_of(const std::vector<Vec3>& points) {
 }
 
 /// Water that starts at rest falls along gravity: its centre sinks along that axis and no other.
-void check_fall(const Run& run, const ParticleFrame& first) {
+void check_fall(Run& run, const ParticleFrame& first, bool stated) {
   const std::size_t frames = run.frames->times().size();
   if (frames < 2) return;
   const auto last = std::get<ParticleFrame>(run.frames->read(frames - 1, Fields{}));
@@ -224,10 +224,14 @@ void check_fall(const Run& run, const ParticleFrame& first) {
     const double aside = a[across] - b[across];
     if (run.physics.dimension == 2 || aside < 0.5 * l0 || aside < 4.0 * std::abs(sunk)) return;
   }
-  const std::string moved = vector_text({b[0] - a[0], b[1] - a[1], b[2] - a[2]});
-  throw Error(run.path.string() +
-              ": from the first frame to the last the water's centre moves by " + moved +
-              " m; it cannot rise along the axis that points up (--vertical, --axes)");
+  const std::string found = "from the first frame to the last the water's centre moves by " +
+                            vector_text({b[0] - a[0], b[1] - a[1], b[2] - a[2]}) + " m; ";
+  // Waves and tanks that move may lift water; that is for who states the axes to know.
+  if (!stated)
+    throw Error(run.path.string() + ": " + found +
+                "it cannot rise along the axis that points up (--vertical, --axes)");
+  run.notices.push_back(found +
+                        "water at rest does not rise along the axis that points up (--axes)");
 }
 
 void require_start(const Run& run, const std::string& option) {
@@ -288,9 +292,9 @@ void open_foreign_series(Run& run, const SourceOptions& stated) {
   apply_first_frame(run, frame, options);
   check_first_frame(run, frame, options);
   reader.expect(run.spacing, stated_tank(run.physics, options));
-  check_fall(run, frame);
-  if (!options.column_width) require_start(run, "--column-width");
   run.notices = layout.notices();
+  check_fall(run, frame, stated.axes || stated.vertical_stated);
+  if (!options.column_width) require_start(run, "--column-width");
   tell_lone_faces(run, frame);
   for (const std::string& line : assumed) run.notices.push_back("assumed: " + line);
 }

@@ -1,20 +1,19 @@
 #include "compare/reference/series.hpp"
 
-#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
+#include "compare/read/delimited.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
 namespace {
 
 std::string trim(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return std::string(trimmed(text));
 }
 
 /// One published file while it is read; knows its place for errors.
@@ -62,27 +61,21 @@ class SeriesParser {
   }
 
   double number(const std::string& key, const std::string& text) const {
-    double value = 0.0;
-    const std::string trimmed = trim(text);
-    const auto [end, error] =
-        std::from_chars(trimmed.data(), trimmed.data() + trimmed.size(), value);
-    if (error != std::errc{} || end != trimmed.data() + trimmed.size() || !std::isfinite(value)) {
-      fail(key, "\"" + text + "\"", "a finite number");
-    }
-    return value;
+    const auto value = number_in(trimmed(text));
+    if (!value || !std::isfinite(*value)) fail(key, "\"" + text + "\"", "a finite number");
+    return *value;
   }
 
   void row(const std::string& line) {
-    const auto comma = line.find(',');
-    if (comma == std::string::npos || line.find(',', comma + 1) != std::string::npos) {
-      fail("row", "\"" + line + "\"", "two numbers");
-    }
+    std::vector<std::string_view> fields;
+    split_fields(line, ',', fields);
+    if (fields.size() != 2) fail("row", "\"" + line + "\"", "two numbers");
+    const std::string time(fields[0]);
     const DimensionlessFront::Sample sample{
-        DimensionlessTime(number("T", line.substr(0, comma))),
-        DimensionlessLength(number("Z_over_L", line.substr(comma + 1)))};
+        DimensionlessTime(number("T", time)),
+        DimensionlessLength(number("Z_over_L", std::string(fields[1])))};
     auto& samples = series_.front.samples;
-    if (!samples.empty() && sample.time <= samples.back().time)
-      fail("T", line.substr(0, comma), "a later time");
+    if (!samples.empty() && sample.time <= samples.back().time) fail("T", time, "a later time");
     samples.push_back(sample);
   }
 
