@@ -203,9 +203,9 @@ TEST_P(MovingFlow, PistonPushesAPlug) {
 // A piston that makes a basin shorter raises its water: volume is kept.
 TEST_P(MovingFlow, PistonRaisesTheWater) {
   const std::string text =
-      head(9.81, spacing(), 0.6) + tank(0.5, 0.3, "open = [\"y+\"]\n") + block(0.1, 0.0, 0.5, 0.1) +
+      head(9.81, spacing(), 0.6) + tank(0.5, 0.6, "open = [\"y+\"]\n") + block(0.1, 0.0, 0.5, 0.1) +
       "[[moving_wall]]\nname = \"piston\"\nlower = " + point(0.0, 0.0) +
-      "\nupper = " + point(0.1, 0.3, width) + "\ndirection = " + point(1.0, 0.0) +
+      "\nupper = " + point(0.1, 0.6, width) + "\ndirection = " + point(1.0, 0.0) +
       "\nlaw = \"constant\"\nspeed = 0.25\nstop = 0.4\n";
   double height = 0.0;
   double steps = 0.0;

@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
-from allrun_test import PARTICLE, Project
+from project import PARTICLE, Project
 
 # Stopped in the second run, with a checkpoint, until the file `go_on` is there. A restart needs the
 # checkpoint and is refused where the file `refuse` is there.

@@ -56,7 +56,7 @@ TEST(Files, OptionsThatThereAreNotAreNamedWithTheirLine) {
               HasSubstr("run.3.read.spcing: found no such option"));
   const SyntheticStudy others;
   EXPECT_THAT(error_of([&] { static_cast<void>(with_files(others, "spacing = -1")); }),
-              HasSubstr("run.3.read: --spacing"));
+              HasSubstr("run.3.read.spacing"));
 }
 
 }  // namespace
