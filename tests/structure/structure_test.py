@@ -15,7 +15,7 @@ COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["
            ["commands"]]
 # What the rebuild has still to mend. An entry that is no longer needed fails the test, so that the list
 # can only shrink.
-LEFT_UPWARDS = {"compare/measure/wall_pressure.hpp"}
+LEFT_UPWARDS: set[str] = set()
 LEFT_LONG = {
     "particle/sph/solver.cpp",
     "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp",
