@@ -61,7 +61,7 @@ void run_metrics(const Arguments& arguments) {
   for (const std::filesystem::path& path : arguments.study.runs(study)) {
     // Options about foreign files are for those only; runs with a manifest state their case.
     const bool stated = std::filesystem::exists(path / "manifest.json");
-    runs.push_back(measure(open_run(path, stated ? own : files), options.front));
+    runs.push_back(measure(open_run(path, stated ? own : files), options.front, true));
     print_notices(runs.back().run);
   }
   const nlohmann::json result = metrics(runs, arguments.study.reference(study), published, options);

@@ -28,6 +28,9 @@ void SourceArguments::add_to(CLI::App& app) {
       ->group(group);
   app.add_option("--column-height", column_height_, "height of the column at time 0, m")
       ->group(group);
+  app.add_option("--bed-depth", bed_depth_, "depth of the water that lies in the tank at time 0, m")
+      ->group(group);
+  app.add_option("--density", options_.density, "of the water, kg/m3")->group(group);
   app.add_option("--tank-width", tank_width_, "far wall from the column's wall, m")->group(group);
   app.add_option("--gravity", options_.gravity, "magnitude, m/s2")->group(group);
   app.add_option("--vertical", vertical_, "axis that gravity points down along")
@@ -60,6 +63,8 @@ SourceOptions SourceArguments::get() const {
   options.column_width = positive<Metres>("--column-width", column_width_);
   options.column_height = positive<Metres>("--column-height", column_height_);
   options.tank_width = positive<Metres>("--tank-width", tank_width_);
+  options.bed_depth = positive<Metres>("--bed-depth", bed_depth_);
+  options.density = positive<double>("--density", options_.density);
   options.gravity = positive<double>("--gravity", options_.gravity);
   options.spacing = positive<Metres>("--spacing", spacing_);
   options.time_step = positive<Seconds>("--time-step", time_step_);
@@ -72,10 +77,18 @@ SourceOptions SourceArguments::get() const {
 void FrontArguments::add_to(CLI::App& app) {
   const std::string group = "Leading edge";
   app.add_option("--strip-height", strip_height_,
-                 "only water up to this height above the floor counts, m [0.015]")
+                 "only water up to this height above the floor counts, m [0.015]; particles: three "
+                 "spacings where that is more")
       ->group(group);
   app.add_option("--linking-length", options_.linking_length,
                  "particles closer than this many spacings are connected")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option(
+         "--bed-share", options_.bed_share,
+         "over water that lies in the tank: the front is where the water stands higher than "
+         "it by this share of the column above it")
+      ->check(CLI::Range(0.001, 0.999))
       ->capture_default_str()
       ->group(group);
   app.add_flag("--raw-maximum", options_.raw_maximum, "farthest water of all, drops included")

@@ -24,6 +24,7 @@ class SourceArguments {
   SourceOptions options_;
   std::optional<double> column_width_;
   std::optional<double> column_height_;
+  std::optional<double> bed_depth_;
   std::optional<double> tank_width_;
   std::optional<double> spacing_;
   std::optional<double> time_step_;

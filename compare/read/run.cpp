@@ -7,6 +7,7 @@
 #include "compare/read/first_frame.hpp"
 #include "compare/read/foam_case.hpp"
 #include "compare/read/readers.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -75,9 +76,22 @@ void apply_series(Run& run, const SourceOptions& options) {
   physics.gravity = Vec3{};
   physics.gravity[up] = -*options.gravity;
   const auto frame = std::get<ParticleFrame>(run.frames->read(0, Fields{}));
-  physics.column =
+  const Extent water =
       extent_of(frame.position.size(), [&](std::size_t i) { return frame.position[i]; });
-  const bool flat = physics.column.upper[2] - physics.column.lower[2] < run.spacing.value();
+  physics.column = water;
+  if (options.bed_depth) {
+    // The column is what stands out of the water that lies in the tank.
+    const double bed = water.lower[up] - 0.5 * run.spacing.value() + options.bed_depth->value();
+    std::vector<Vec3> above;
+    for (const Vec3& x : frame.position)
+      if (x[up] > bed) above.push_back(x);
+    if (above.empty())
+      throw Error(run.path.string() + ": --bed-depth: found no water above " +
+                  number_text(options.bed_depth->value()) + " m, a column expected");
+    physics.column = extent_of(above.size(), [&](std::size_t i) { return above[i]; });
+    physics.column.lower[up] = water.lower[up];
+  }
+  const bool flat = water.upper[2] - water.lower[2] < run.spacing.value();
   physics.dimension = options.dimension.value_or(flat && up != 2 ? 2 : 3);
   for (std::size_t a = 0; a < 3; ++a) {
     physics.column.lower[a] -= 0.5 * run.spacing.value();
@@ -94,6 +108,8 @@ void apply_options(Run& run, const SourceOptions& options) {
     physics.column.upper[0] = physics.column.lower[0] + options.column_width->value();
   if (options.column_height)
     physics.column.upper[up] = physics.column.lower[up] + options.column_height->value();
+  if (options.density) physics.density = *options.density;
+  if (options.bed_depth) physics.stated_bed = *options.bed_depth;
   if (options.tank_width) {
     if (!physics.tank) {
       physics.tank = physics.column;
@@ -106,11 +122,12 @@ void apply_options(Run& run, const SourceOptions& options) {
 /// Our own manifest states all that the options could say; saying it twice would hide a mistake.
 void refuse_options(const fs::path& path, const SourceOptions& options) {
   if (options.column_width || options.column_height || options.gravity || options.tank_width ||
-      options.spacing || options.dimension || options.time_step) {
+      options.spacing || options.dimension || options.time_step || options.bed_depth ||
+      options.density) {
     throw Error(path.string() +
                 ": has a manifest.json that states the case, so --column-width, --column-height, "
-                "--gravity, "
-                "--tank-width, --spacing, --dimension and --time-step are not for it");
+                "--gravity, --tank-width, --spacing, --dimension, --time-step, --bed-depth and "
+                "--density are not for it");
   }
 }
 

@@ -69,6 +69,8 @@ struct SourceOptions {
   std::optional<Metres> column_height;  ///< --column-height
   std::optional<double> gravity;        ///< --gravity, magnitude, m/s2
   std::optional<Metres> tank_width;     ///< --tank-width: far wall from the column's wall
+  std::optional<Metres> bed_depth;      ///< --bed-depth: of water lying in the tank at time 0
+  std::optional<double> density;        ///< --density: of the water, kg/m3
   std::optional<Metres> spacing;        ///< --spacing: l0
   std::optional<Seconds> time_step;     ///< --time-step: between files that carry no time
   std::optional<int> dimension;         ///< --dimension
