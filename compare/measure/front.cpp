@@ -86,13 +86,16 @@ std::optional<double> leading_edge(FrameView& view, const FrontOptions& options)
       front_strip(view.physics(), Metres(view.spacing()), particles != nullptr, options);
   if (particles == nullptr) return mesh_leading_edge(view, strip, options.raw_maximum);
   const double direction = view.physics().surge_direction();
+  const double half = 0.5 * view.spacing();
+  // Water stands higher than a level where the upper side of a particle does.
+  const double above = strip.lower - half + 1e-9 * half;
   const Pieces* pieces = options.raw_maximum ? nullptr : &view.pieces(options.linking_length);
   std::optional<double> edge;
   for (std::size_t i = 0; i < particles->position.size(); ++i) {
     const Vec3& x = particles->position[i];
     if (pieces != nullptr && pieces->piece_of[i] != 0) continue;
-    if (x[view.up()] < strip.lower || x[view.up()] > strip.upper) continue;
-    const double along = direction * x[0] + 0.5 * view.spacing();
+    if (x[view.up()] <= above || x[view.up()] > strip.upper) continue;
+    const double along = direction * x[0] + half;
     edge = std::max(edge.value_or(along), along);
   }
   return edge ? std::optional(direction * *edge) : edge;

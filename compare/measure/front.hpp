@@ -83,11 +83,11 @@ struct FrontStrip {
 /// x of the leading edge of one frame (m, the frame's own coordinate): the farthest x, seen from
 /// the wall that the column stands at (Physics::surge_direction()), reached by water that is
 /// connected to the main body within the strip. Particles: centre + l0/2 of those whose centre is
-/// in the strip, connected by the linking length. Mesh: the alpha = 0.5 contour of the corner
-/// values (means of the cells around), connected through the mesh. The main body is the connected
-/// region with the most water. Over a wet bed, water that hangs over counts as soon as it is the
-/// farthest. In 3D the front is that of the farthest place across. Empty where no water is in the
-/// strip.
+/// below the strip's top, over a wet bed whose upper side is above the level; connected by the
+/// linking length. Mesh: the alpha = 0.5 contour of the corner values (means of the cells around),
+/// connected through the mesh. The main body is the connected region with the most water. Over a
+/// wet bed, water that hangs over counts as soon as it is the farthest. In 3D the front is that of
+/// the farthest place across. Empty where no water is in the strip.
 [[nodiscard]] std::optional<double> leading_edge(FrameView& view, const FrontOptions& options);
 
 /// Its mesh part; `front_strip` is found by the caller.

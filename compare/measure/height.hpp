@@ -20,7 +20,7 @@ struct Place {
 /// full squares (cubes) of side l0, cells hold their volume fraction. s is one spacing l0, or one
 /// cell: the median extent, per axis, of the cells on the vertical through the place. For plane
 /// surfaces, level or not, that is the surface itself, on a lattice and on a mesh, wherever it cuts
-/// the cells; without `across` it is the height to which half of the width is wet.
+/// the cells; without `across` it is, to a spacing, the height to which half of the width is wet.
 ///
 /// Drops in the air do not count (FrameView::settled), nor does water that is thinner than a
 /// spacing in the air. Where water hangs over, its highest surface counts. A film on the floor

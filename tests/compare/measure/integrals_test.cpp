@@ -112,7 +112,9 @@ TEST(Integrals, CentreOfMass) {
     ASSERT_EQ(centre.size(), flat ? 2U : 3U);
     EXPECT_NEAR(centre[0], x, 1e-12);
     EXPECT_NEAR(centre[flat ? 1 : up], z, 1e-12);
-    if (!flat) EXPECT_NEAR(centre[3 - up], 0.1, 1e-12);
+    if (!flat) {
+      EXPECT_NEAR(centre[3 - up], 0.1, 1e-12);
+    }
   });
 }
 

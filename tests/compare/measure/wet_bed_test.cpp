@@ -92,8 +92,8 @@ TEST(WetBedFront, OfASlopeIsWhereItPassesTheLevel) {
   };
   const Physics physics = wet_bed(2, false);
   const double expected = 0.3 + (0.16 - level) / 0.5;
-  EXPECT_NEAR(front_of(particles_of(physics, slope), physics), expected, 1.5 * l0);
-  EXPECT_NEAR(front_of(mesh_of(physics, slope), physics), expected, 1.5 * l0);
+  EXPECT_NEAR(front_of(particles_of(physics, slope), physics), expected, 1.0 * l0);
+  EXPECT_NEAR(front_of(mesh_of(physics, slope), physics), expected, 1.0 * l0);
 }
 
 TEST(WetBedFront, DoesNotMindWavesOnTheBedBelowTheLevel) {

@@ -91,9 +91,9 @@ TEST(Difference, WithoutAWallGoesToTheEnd) {
   EXPECT_NEAR(common_window(straight(0.1), straight(0.1), {}).end.value(), 3.0, 1e-12);
 }
 
-PublishedSeries series_of(const DimensionlessFront& front) {
+PublishedSeries series_of(const DimensionlessFront& front, std::string name = "s") {
   PublishedSeries series;
-  series.name = "s";
+  series.name = std::move(name);
   series.front = front;
   return series;
 }
@@ -203,10 +203,9 @@ TEST(MetricsJson, ComparesWithNoSeriesOfAnotherCase) {
   std::vector<MeasuredRun> runs;
   runs.push_back(measured("a", "mps", straight(0.1)));
   runs.push_back(measured("b", "vof", straight(0.1)));
-  PublishedSeries same = series_of(straight(0.3)), other = same;
-  same.name = "same";
+  PublishedSeries same = series_of(straight(0.3), "same");
+  PublishedSeries other = series_of(straight(0.3), "other");
   same.of.column_height = 2.0;
-  other.name = "other";
   other.of.column_height = 1.0;
   const nlohmann::json found = metrics(runs, "b", {same, other}, {})["front"]["a"]["published"];
   EXPECT_EQ(found["same"]["status"], "passed");
