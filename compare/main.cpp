@@ -14,6 +14,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   int exit_code = exit_success;
   add_front_command(app);
+  add_measure_command(app, exit_code);
   add_metrics_command(app);
   add_check_command(app, exit_code);
   add_figure_command(app);

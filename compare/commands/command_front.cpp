@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -30,8 +31,15 @@ void run_front(const Arguments& arguments) {
     std::printf("%s: UNFINISHED: %s\n", run.name.c_str(), run.notices[0].c_str());
   print_notices(run);
   const std::size_t frames = run.frames->times().size();
-  std::printf("%s: %zu frames, L = %g m, strip %g m: %s\n", run.name.c_str(), history.size(),
-              run.physics.column_width().value(), options.strip_height.value(),
+  const FrontStrip strip = front_strip(run.physics, run.spacing, !run.is_mesh(), options);
+  const bool bed = std::isinf(strip.upper);
+  std::printf("%s: %zu frames, L = %g m, %s %g m: %s\n", run.name.c_str(), history.size(),
+              run.physics.column_width().value(),
+              options.raw_maximum ? "raw, strip"
+              : bed               ? "wet bed, above"
+                                  : "strip",
+              options.raw_maximum ? options.strip_height.value()
+                                  : (bed ? strip.lower : strip.upper) - run.physics.floor(),
               arguments.out.c_str());
   if (history.size() < frames) {
     std::printf("%s: no leading edge from %g s on (%zu frames left out)\n", run.name.c_str(),

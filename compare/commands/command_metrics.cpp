@@ -59,7 +59,7 @@ void run_metrics(const Arguments& arguments) {
   const std::vector<SourceOptions> files = arguments.files.get(sources);
   std::vector<MeasuredRun> runs;
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    runs.push_back(measure(open_run(sources[i], files[i]), options.front));
+    runs.push_back(measure(open_run(sources[i], files[i]), options.front, true));
     print_notices(runs.back().run);
   }
   const nlohmann::json result = metrics(runs, arguments.study.reference(study), published, options);

@@ -139,10 +139,18 @@ SourceOptions source_options(const StudyRun& run) {
 void FrontArguments::add_to(CLI::App& app) {
   const std::string group = "Leading edge";
   app.add_option("--strip-height", strip_height_,
-                 "only water up to this height above the floor counts, m [0.015]")
+                 "only water up to this height above the floor counts, m [0.015]; particles: three "
+                 "spacings where that is more")
       ->group(group);
   app.add_option("--linking-length", options_.linking_length,
                  "particles closer than this many spacings are connected")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option(
+         "--bed-share", options_.bed_share,
+         "over water that lies in the tank: the front is where the water stands higher than "
+         "it by this share of the column above it")
+      ->check(CLI::Range(0.001, 0.999))
       ->capture_default_str()
       ->group(group);
   app.add_flag("--raw-maximum", options_.raw_maximum, "farthest water of all, drops included")

@@ -1,13 +1,9 @@
 #include "compare/measure/flow_pattern.hpp"
 
-#include <vtkUnstructuredGrid.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-#include "compare/read/pieces.hpp"
 
 namespace surge::compare {
 namespace {
@@ -16,7 +12,8 @@ namespace {
 /// higher than that is a few drops.
 constexpr double grid_height = 8.0;
 
-/// The reference's frame at a time; empty where there is none within a tenth of its interval.
+}  // namespace
+
 std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds time) {
   const auto after = std::lower_bound(times.begin(), times.end(), time);
   std::optional<std::size_t> best;
@@ -35,61 +32,62 @@ std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds t
   return best && distance <= 0.1 * interval + 1e-9 ? best : std::nullopt;
 }
 
-}  // namespace
-
 FractionGrid::FractionGrid(const Physics& physics, Metres cell)
-    : left_(physics.tank ? physics.tank->lower[0] : physics.column.lower[0]),
-      floor_(physics.floor()),
-      cell_(cell.value()),
-      up_(static_cast<std::size_t>(physics.vertical_axis())) {
+    : axes_(FrameView(physics, cell).axes()), cell_(cell.value()) {
+  const auto up = static_cast<std::size_t>(physics.vertical_axis());
   const double length = physics.column_width().value();
-  const double wall = physics.far_wall() ? physics.far_wall()->value() : 8.0 * length;
-  columns_ = static_cast<std::size_t>(std::ceil(wall / cell_ - 1e-6));
-  rows_ = static_cast<std::size_t>(std::ceil(grid_height * length / cell_ - 1e-6));
-  fraction_.assign(columns_ * rows_, 0.0);
+  std::size_t cells = 1;
+  for (const std::size_t a : axes_) {
+    double extent = grid_height * length;
+    origin_[a] = physics.tank && std::isfinite(physics.tank->lower[a]) ? physics.tank->lower[a]
+                                                                       : physics.column.lower[a];
+    if (a == 0 && physics.far_wall()) extent = physics.far_wall()->value();
+    if (a != 0 && a != up) {
+      extent = physics.column.upper[a] - physics.column.lower[a];
+      if (physics.tank && std::isfinite(physics.tank->upper[a]))
+        extent = physics.tank->upper[a] - origin_[a];
+    }
+    count_[a] =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(extent / cell_ - 1e-6)));
+    cells *= count_[a];
+  }
+  origin_[up] = physics.floor();
+  fraction_.assign(cells, 0.0);
 }
 
-void FractionGrid::add_box(double x0, double x1, double y0, double y1, double fraction) {
-  const auto cells = [&](double from, double to, std::size_t count) {
-    const double limit = static_cast<double>(count);
-    return std::pair{static_cast<std::size_t>(std::clamp(std::floor(from / cell_), 0.0, limit)),
-                     static_cast<std::size_t>(std::clamp(std::ceil(to / cell_), 0.0, limit))};
-  };
-  const auto [i0, i1] = cells(x0, x1, columns_);
-  const auto [j0, j1] = cells(y0, y1, rows_);
-  const auto covered = [&](std::size_t k, double from, double to) {
-    const double low = static_cast<double>(k) * cell_;
-    return std::max(0.0, std::min(to, low + cell_) - std::max(from, low));
-  };
-  for (std::size_t j = j0; j < j1; ++j) {
-    for (std::size_t i = i0; i < i1; ++i) {
-      fraction_[j * columns_ + i] +=
-          fraction * covered(i, x0, x1) * covered(j, y0, y1) / (cell_ * cell_);
+void FractionGrid::add_box(const Extent& box, double fraction) {
+  std::array<std::size_t, 3> first{}, last{1, 1, 1};
+  for (const std::size_t a : axes_) {
+    const double limit = static_cast<double>(count_[a]);
+    const double from = (box.lower[a] - origin_[a]) / cell_;
+    const double to = (box.upper[a] - origin_[a]) / cell_;
+    first[a] = static_cast<std::size_t>(std::clamp(std::floor(from), 0.0, limit));
+    last[a] = static_cast<std::size_t>(std::clamp(std::ceil(to), 0.0, limit));
+  }
+  std::array<std::size_t, 3> k{};
+  for (k[2] = first[2]; k[2] < last[2]; ++k[2]) {
+    for (k[1] = first[1]; k[1] < last[1]; ++k[1]) {
+      for (k[0] = first[0]; k[0] < last[0]; ++k[0]) {
+        double part = fraction;
+        for (const std::size_t a : axes_) {
+          const double low = origin_[a] + static_cast<double>(k[a]) * cell_;
+          part *= std::max(0.0, std::min(box.upper[a], low + cell_) - std::max(box.lower[a], low)) /
+                  cell_;
+        }
+        fraction_[(k[2] * count_[1] + k[1]) * count_[0] + k[0]] += part;
+      }
     }
   }
 }
 
-void FractionGrid::add(const Frame& frame, const Run& run) {
-  if (const auto* particles = std::get_if<ParticleFrame>(&frame)) {
-    const double half = 0.5 * run.spacing.value();
-    for (const Vec3& r : particles->position) {
-      const double x = r[0] - left_, y = r[up_] - floor_;
-      add_box(x - half, x + half, y - half, y + half, 1.0);
-    }
-    return;
-  }
-  const auto& mesh = std::get<MeshFrame>(frame);
-  for (std::size_t c = 0; c < mesh.alpha.size(); ++c) {
-    if (mesh.alpha[c] <= 0.0) continue;
-    std::array<double, 6> b{};
-    mesh.grid->GetCellBounds(static_cast<vtkIdType>(c), b.data());
-    add_box(b[0] - left_, b[1] - left_, b[2 * up_] - floor_, b[2 * up_ + 1] - floor_,
-            mesh.alpha[c]);
-  }
+void FractionGrid::add(const FrameView& frame) {
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    if (const double fraction = frame.fraction(i); fraction > 0.0) add_box(frame.box(i), fraction);
 }
 
-double FractionGrid::area() const {
-  return cell_ * cell_ * std::accumulate(fraction_.begin(), fraction_.end(), 0.0);
+double FractionGrid::volume() const {
+  return std::pow(cell_, static_cast<double>(axes_.size())) *
+         std::accumulate(fraction_.begin(), fraction_.end(), 0.0);
 }
 
 double overlap(const FractionGrid& a, const FractionGrid& b) {
@@ -101,18 +99,18 @@ double overlap(const FractionGrid& a, const FractionGrid& b) {
   return either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 1.0;
 }
 
-Detached detached(const ParticleFrame& frame, Metres spacing, double linking_length) {
-  const auto sizes = connected_pieces(frame.position, linking_length * spacing.value()).sizes;
+Detached detached(FrameView& frame, const Cohesion& cohesion) {
   Detached out;
-  if (sizes.empty()) return out;
-  out.pieces = sizes.size() - 1;
-  out.part = 1.0 - static_cast<double>(sizes.front()) / static_cast<double>(frame.position.size());
-  return out;
-}
-
-Detached detached(MeshFront& mesh, const MeshFrame& frame, double level) {
-  const auto [volumes, all] = mesh.pieces(frame, level);
-  Detached out;
+  if (frame.particles() != nullptr) {
+    const auto& sizes = frame.pieces(cohesion.linking_length).sizes;
+    if (sizes.empty()) return out;
+    out.pieces = sizes.size() - 1;
+    out.part = 1.0 - static_cast<double>(sizes.front()) / static_cast<double>(frame.size());
+    return out;
+  }
+  const std::vector<double>& volumes = frame.bodies(cohesion.corner_level).volumes;
+  const std::vector<double>& water = frame.corners().volume;
+  const double all = std::accumulate(water.begin(), water.end(), 0.0);
   if (volumes.empty() || all <= 0.0) return out;
   const double inside = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   out.pieces = volumes.size() - 1;
@@ -142,28 +140,26 @@ Metres overlap_cell(const Run& a, const Run& b) {
 }
 
 PatternHistory measure_pattern(const Run& run, const Run& reference) {
-  const bool plane = run.physics.dimension == 2 && reference.physics.dimension == 2;
+  const bool same_space = run.physics.dimension == reference.physics.dimension;
   const Metres cell = overlap_cell(run, reference);
-  MeshFront mesh;
+  FrameView mine(run.physics, run.spacing), theirs(reference.physics, reference.spacing);
   PatternHistory history;
   for (std::size_t k = 0; k < run.frames->times().size(); ++k) {
-    const Frame frame = run.frames->read(k, {});
-    PatternSample sample{time_of(frame), {}, {}, {}};
-    const auto* particles = std::get_if<ParticleFrame>(&frame);
-    for (std::size_t c = 0; c < cohesion_count; ++c) {
-      sample.detached[c] = particles ? detached(*particles, run.spacing, linking_lengths[c])
-                                     : detached(mesh, std::get<MeshFrame>(frame), corner_levels[c]);
-    }
-    if (particles) {
+    mine.show(run.frames->read(k, {}));
+    PatternSample sample{mine.time(), {}, {}, {}};
+    for (std::size_t c = 0; c < cohesion_count; ++c)
+      sample.detached[c] = detached(mine, {linking_lengths[c], corner_levels[c]});
+    if (const ParticleFrame* particles = mine.particles()) {
       const auto distance = smallest_distance(particles->position);
       if (distance) sample.smallest_distance = *distance / run.spacing.value();
     }
     const auto other = frame_at(reference.frames->times(), sample.time);
-    if (plane && other && &run != &reference) {
-      FractionGrid mine(reference.physics, cell), theirs(reference.physics, cell);
-      mine.add(frame, run);
-      theirs.add(reference.frames->read(*other, {}), reference);
-      sample.overlap = overlap(mine, theirs);
+    if (same_space && other && &run != &reference) {
+      theirs.show(reference.frames->read(*other, {}));
+      FractionGrid a(reference.physics, cell), b(reference.physics, cell);
+      a.add(mine);
+      b.add(theirs);
+      sample.overlap = overlap(a, b);
     }
     history.push_back(sample);
   }

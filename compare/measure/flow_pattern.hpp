@@ -5,31 +5,33 @@
 #include <optional>
 #include <vector>
 
-#include "compare/measure/front.hpp"
+#include "compare/measure/frame_view.hpp"
 #include "compare/read/run.hpp"
 
 namespace surge::compare {
 
-/// Volume fraction of water in the square cells of a grid that all runs of a study share (2D). A
-/// particle lays its square of side l0 over the cells, a mesh cell its volume fraction, each as
-/// much as overlaps; the sum is the same volume of water as in the frame.
+/// Volume fraction of water in the square (cubic) cells of a grid that all runs of a study share. A
+/// particle lays its square (cube) of side l0 over the cells, a mesh cell its volume fraction, each
+/// as much as overlaps; the sum is the same volume of water as in the frame.
 class FractionGrid {
  public:
   /// The cells start at the tank's lower corner; `cell` is their edge, m.
   FractionGrid(const Physics& physics, Metres cell);
 
-  void add(const Frame& frame, const Run& run);
+  void add(const FrameView& frame);
   /// Whether a cell is at least half full.
   [[nodiscard]] bool wet(std::size_t cell) const { return fraction_[cell] >= 0.5; }
   [[nodiscard]] std::size_t size() const { return fraction_.size(); }
-  /// Water in all cells, m^2; what lies above the grid's top is not in it.
-  [[nodiscard]] double area() const;
+  /// Water in all cells, m2 or m3; what lies above the grid's top is not in it.
+  [[nodiscard]] double volume() const;
 
  private:
-  void add_box(double x0, double x1, double y0, double y1, double fraction);
+  void add_box(const Extent& box, double fraction);
 
-  double left_, floor_, cell_;
-  std::size_t up_, columns_, rows_;
+  std::vector<std::size_t> axes_;
+  double cell_;
+  Vec3 origin_{};
+  std::array<std::size_t, 3> count_{1, 1, 1};
   std::vector<double> fraction_;
 };
 
@@ -43,12 +45,16 @@ struct Detached {
   double part = 0.0;       ///< of all the water, in those pieces
   double blurred = 0.0;    ///< of all the water, in cells too empty to belong to any piece (mesh)
 };
-/// Particles closer than `linking_length` spacings belong together.
-[[nodiscard]] Detached detached(const ParticleFrame& frame, Metres spacing, double linking_length);
-/// Corners of at least `level` volume fraction belong together where a face joins them: at 0.5
-/// the rule by which the leading edge is measured. Pieces narrower than two cells have no such
-/// corner and count as blurred; a lower level finds more of them.
-[[nodiscard]] Detached detached(MeshFront& mesh, const MeshFrame& frame, double level);
+/// How strictly water must hang together to be one piece. Particles closer than `linking_length`
+/// spacings belong together; corners of a mesh of at least `corner_level` volume fraction do where
+/// a face joins them. The usual values are those by which the leading edge is measured. In a mesh
+/// pieces narrower than two cells have no such corner and count as blurred; a lower level finds
+/// more of them.
+struct Cohesion {
+  double linking_length = usual_linking_length;
+  double corner_level = interface_level;
+};
+[[nodiscard]] Detached detached(FrameView& frame, const Cohesion& cohesion = {});
 
 /// Smallest distance between two particles, m; empty for fewer than two. Sweeps along x: time
 /// O(N log N) for particles that fill an area.
@@ -73,8 +79,10 @@ using PatternHistory = std::vector<PatternSample>;
 /// smaller than a particle or a cell of any of the two runs.
 [[nodiscard]] Metres overlap_cell(const Run& a, const Run& b);
 
-/// All frames of a run. The overlap is left out in three dimensions and where the reference has no
-/// frame within a tenth of a frame interval.
+/// The reference's frame at a time; empty where there is none within a tenth of its interval.
+[[nodiscard]] std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds time);
+
+/// All frames of a run. The overlap is left out where the reference has no frame at that time.
 [[nodiscard]] PatternHistory measure_pattern(const Run& run, const Run& reference);
 
 }  // namespace surge::compare

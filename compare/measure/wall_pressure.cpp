@@ -1,16 +1,14 @@
 #include "compare/measure/wall_pressure.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <limits>
 
+#include "compare/measure/recorded.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
-
-namespace fs = std::filesystem;
 
 PressureSignal::PressureSignal(std::vector<double> time, std::vector<double> pressure)
     : time_(std::move(time)), pressure_(std::move(pressure)), sum_(time_.size(), 0.0) {
@@ -47,42 +45,8 @@ std::optional<double> PressureSignal::median_step(double begin, double end) cons
     if (time_[i - 1] >= begin && time_[i] <= end) steps.push_back(time_[i] - time_[i - 1]);
   }
   if (steps.empty()) return std::nullopt;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return boost::math::statistics::median(steps);
 }
-
-namespace {
-
-/// The numbers of a row, in the columns of time and pressure, whatever separates them.
-std::pair<double, double> read_row(const std::string& line, char separator, std::size_t column,
-                                   const std::string& place) {
-  std::istringstream words(line);
-  std::string word;
-  double time = 0.0;
-  for (std::size_t k = 0;
-       separator == ' ' ? bool(words >> word) : bool(std::getline(words, word, separator)); ++k) {
-    if (k != 0 && k != column) continue;
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (end == word.c_str() || *end != '\0' || !std::isfinite(value))
-      throw Error(place + ": found \"" + word + "\", expected a finite number");
-    if (k == column) return {time, value};
-    time = value;
-  }
-  throw Error(place + ": found no column " + std::to_string(column + 1) + ", expected a pressure");
-}
-
-std::size_t column_of(const std::string& header, const std::string& name, const fs::path& file) {
-  std::istringstream words(header);
-  std::string word;
-  for (std::size_t k = 0; std::getline(words, word, ','); ++k) {
-    if (word == name) return k;
-  }
-  throw Error(file.string() + ":1: found no column " + name + ", expected that of the probe");
-}
-
-}  // namespace
 
 std::optional<Vec3> wall_probe(const Run& run) {
   const nlohmann::json::json_pointer probes("/case/probes");
@@ -94,30 +58,12 @@ std::optional<Vec3> wall_probe(const Run& run) {
 }
 
 PressureSignal read_wall_pressure(const Run& run) {
-  const fs::path file =
-      run.path / (run.is_mesh() ? "postProcessing/wallPressure/0/p" : "steps.csv");
-  std::ifstream in(file);
-  if (!in) throw Error(file.string() + ": cannot be opened, expected what the probe recorded");
-  std::string line;
-  std::size_t number = 0, column = 1;
-  if (!run.is_mesh()) {
-    std::getline(in, line);
-    column = column_of(line, wall_probe_name, file);
-    ++number;
-  }
-  std::vector<double> time, pressure;
-  while (std::getline(in, line)) {
-    ++number;
-    if (line.empty() || line[0] == '#') continue;
-    const auto [t, p] = read_row(line, run.is_mesh() ? ' ' : ',', column,
-                                 file.string() + ":" + std::to_string(number));
-    time.push_back(t);
-    pressure.push_back(p);
-  }
+  Recorded table = run.is_mesh() ? read_foam_probes(run, "wallPressure").pressure
+                                 : read_recorded_csv(run.path / "steps.csv", {wall_probe_name});
   try {
-    return {std::move(time), std::move(pressure)};
+    return {std::move(table.time), std::move(table.values.front())};
   } catch (const Error& error) {
-    throw Error(file.string() + ": " + error.what());
+    throw Error(run.path.string() + ": " + error.what());
   }
 }
 

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "compare/study/metrics.hpp"
+#include "compare/read/run.hpp"
+#include "compare/read/units.hpp"
 
 namespace surge::compare {
 

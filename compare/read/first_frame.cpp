@@ -6,6 +6,7 @@
 #include <vtkStaticPointLocator.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <map>
 
@@ -72,15 +73,19 @@ void check_column(const Run& run, const ParticleFrame& frame) {
     // A plane of particles is one spacing thick.
     volume *= std::max(extent, run.spacing.value());
   }
-  const double filled =
-      static_cast<double>(frame.position.size()) * std::pow(run.spacing.value(), 3) / volume;
+  // Of water that lies in the tank beside the column nothing is in its box.
+  const auto count =
+      std::count_if(frame.position.begin(), frame.position.end(),
+                    [&](const Vec3& x) { return x[0] >= box.lower[0] && x[0] <= box.upper[0]; });
+  const double filled = static_cast<double>(count) * std::pow(run.spacing.value(), 3) / volume;
   if (filled >= least_fill && filled <= most_fill) return;
-  refuse(run,
-         "its " + std::to_string(frame.position.size()) + " particles fill " +
-             number_text(std::round(100.0 * filled)) + " % of the box that they span",
-         "a column of water (walls among them, or water lying in the tank? --type-array with "
-         "--fluid-type says which are fluid, --column-width and --column-height what the column "
-         "is)");
+  refuse(
+      run,
+      "its " + std::to_string(count) + " particles fill " +
+          number_text(std::round(100.0 * filled)) + " % of the box that they span",
+      "a column of water (walls among them, or water lying in the tank? --type-array with "
+      "--fluid-type says which are fluid, --bed-depth how deep the water lies, --column-width and "
+      "--column-height what the column is)");
 }
 
 }  // namespace
@@ -138,9 +143,7 @@ double nearest_distance(const std::vector<Vec3>& position) {
     }
     distances.push_back(nearest);
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return boost::math::statistics::median(distances);
 }
 
 void check_first_frame(const Run& run, const ParticleFrame& frame, const SourceOptions& options) {

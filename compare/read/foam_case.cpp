@@ -6,6 +6,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -114,12 +115,11 @@ Metres cell_length(vtkUnstructuredGrid& grid, FoamReader& reader) {
   }
   const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
   const double low = *least, high = *most;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double middle = boost::math::statistics::median(lengths);
   if (high > 1.01 * low)
     reader.tell("cells are " + six_digits(low) + " to " + six_digits(high) +
-                " m long along x: the median " + six_digits(*middle) + " m is taken as spacing");
-  return Metres(*middle);
+                " m long along x: the median " + six_digits(middle) + " m is taken as spacing");
+  return Metres(middle);
 }
 
 /// Greatest speed of a frame, m/s; 0 where it has no velocity.
@@ -249,11 +249,15 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
     throw Error(run.path.string() + ": the first time is " +
                 number_text(reader.times().front().value()) +
                 " s: the column at time 0 expected, or --column-width");
-  const WaterDepths depths =
+  WaterDepths depths =
       water_depths(frame, reader.volumes(), *physics.tank, up, run.spacing.value());
+  const double highest = *std::max_element(depths.depth.begin(), depths.depth.end());
+  // The column is what stands out of the water that lies in the tank.
+  if (options.bed_depth) {
+    for (double& depth : depths.depth) depth = std::max(0.0, depth - options.bed_depth->value());
+  }
   physics.column.upper[0] = column_edge(depths, run.path.string());
-  physics.column.upper[up] =
-      physics.floor() + *std::max_element(depths.depth.begin(), depths.depth.end());
+  physics.column.upper[up] = physics.floor() + highest;
 }
 
 }  // namespace surge::compare

@@ -189,7 +189,8 @@ double column_edge(const WaterDepths& depths, const std::string& source) {
   if (is_wet(depth.size() - 1)) {
     throw Error(source + ": the water reaches the far wall, x = " + place(depth.size()) +
                 ", at time 0 (a layer of water in the tank, or a column there?); expected a column "
-                "with a free side, or its width (--column-width)");
+                "with a free side, or the depth of the layer (--bed-depth), or the column's width "
+                "(--column-width)");
   }
   std::size_t wet = 0;
   double volume = 0.0;

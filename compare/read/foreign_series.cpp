@@ -148,6 +148,22 @@ void settle_axes(const std::vector<Vec3>& fluid, SourceOptions& options,
   if (!flat(2)) assumed.emplace_back("y points upwards (--vertical or --axes)");
 }
 
+/// Particles of the column: of water that lies in the tank, what stands out of it.
+std::vector<Vec3> column_of(const Run& run, const ParticleFrame& frame,
+                            const SourceOptions& options) {
+  if (!options.bed_depth) return frame.position;
+  const auto up = static_cast<std::size_t>(run.physics.vertical_axis());
+  const double bed =
+      extent_of(frame.position).lower[up] - 0.5 * run.spacing.value() + options.bed_depth->value();
+  std::vector<Vec3> above;
+  for (const Vec3& x : frame.position)
+    if (x[up] > bed) above.push_back(x);
+  if (above.empty())
+    throw Error(run.path.string() + ": --bed-depth: found no water above " +
+                number_text(options.bed_depth->value()) + " m, a column expected");
+  return above;
+}
+
 /// Column and tank of a foreign particle series: from its first frame and from what the user says.
 void apply_first_frame(Run& run, const ParticleFrame& frame, const SourceOptions& options) {
   run.method = "particles";
@@ -156,8 +172,10 @@ void apply_first_frame(Run& run, const ParticleFrame& frame, const SourceOptions
   Physics& physics = run.physics;
   physics.gravity = Vec3{};
   physics.gravity[up] = -*options.gravity;
-  physics.column = extent_of(frame.position);
-  const bool flat = physics.column.upper[2] - physics.column.lower[2] < run.spacing.value();
+  const Extent water = extent_of(frame.position);
+  physics.column = extent_of(column_of(run, frame, options));
+  physics.column.lower[up] = water.lower[up];
+  const bool flat = water.upper[2] - water.lower[2] < run.spacing.value();
   physics.dimension = options.dimension.value_or(flat && up != 2 ? 2 : 3);
   for (std::size_t a = 0; a < 3; ++a) {
     physics.column.lower[a] -= 0.5 * run.spacing.value();
@@ -167,17 +185,17 @@ void apply_first_frame(Run& run, const ParticleFrame& frame, const SourceOptions
 
 /// The first frame's faces are where the column is measured from; one stray particle must not make
 /// one.
-void tell_lone_faces(Run& run, const ParticleFrame& frame) {
-  if (frame.position.size() < 20) return;
+void tell_lone_faces(Run& run, const std::vector<Vec3>& column) {
+  if (column.size() < 20) return;
   const double near = 0.25 * run.spacing.value();
   for (std::size_t a = 0; a < static_cast<std::size_t>(run.physics.dimension); ++a) {
-    double low = frame.position[0][a], high = low;
-    for (const Vec3& x : frame.position) {
+    double low = column[0][a], high = low;
+    for (const Vec3& x : column) {
       low = std::min(low, x[a]);
       high = std::max(high, x[a]);
     }
     std::size_t at_low = 0, at_high = 0;
-    for (const Vec3& x : frame.position) {
+    for (const Vec3& x : column) {
       if (x[a] < low + near) ++at_low;
       if (x[a] > high - near) ++at_high;
     }
@@ -295,7 +313,7 @@ void open_foreign_series(Run& run, const SourceOptions& stated) {
   run.notices = layout.notices();
   check_fall(run, frame, stated.axes || stated.vertical_stated);
   if (!options.column_width) require_start(run, "--column-width");
-  tell_lone_faces(run, frame);
+  tell_lone_faces(run, column_of(run, frame, options));
   for (const std::string& line : assumed) run.notices.push_back("assumed: " + line);
 }
 

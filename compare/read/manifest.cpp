@@ -103,7 +103,7 @@ void apply_case(Run& run, const json& value, const std::string& place) {
   physics.gravity = fluid.at("gravity").vector();
   physics.density = fluid.at("density").number();
   physics.kinematic_viscosity = fluid.at("kinematic_viscosity").number();
-  physics.column = stated.at("blocks").at(0).extent();
+  (void)stated.at("blocks").at(0);
   physics.blocks.emplace();
   for (std::size_t i = 0; i < stated.at("blocks").size(); ++i) {
     const Entry block = stated.at("blocks").at(i);
@@ -124,6 +124,7 @@ void apply_case(Run& run, const json& value, const std::string& place) {
     if (tank.has("open")) physics.open = tank.at("open").names();
     if (tank.has("periodic")) physics.periodic = tank.at("periodic").names();
   }
+  physics.column = (*physics.blocks)[column_among_blocks(physics)].box;
   if (stated.has("cells_per_L")) {
     run.cells_per_width = stated.at("cells_per_L").number();
     if (*run.cells_per_width <= 0.0) stated.at("cells_per_L").fail("a positive number");

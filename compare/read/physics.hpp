@@ -38,6 +38,7 @@ struct Physics {
   std::optional<std::vector<Extent>> obstacles;
   std::optional<std::set<std::string>> open;      ///< sides without a wall: "x-" to "z+"
   std::optional<std::set<std::string>> periodic;  ///< axes
+  std::optional<Metres> stated_bed;               ///< --bed-depth, of a source without blocks
 
   [[nodiscard]] double gravity_magnitude() const;
   /// Axis (0, 1, 2) that gravity points along; throws surge::Error where it is oblique, zero or
@@ -52,9 +53,18 @@ struct Physics {
   [[nodiscard]] Scales scales() const;
   /// Height of the tank's floor (of the column's foot where no tank is known), m.
   [[nodiscard]] double floor() const;
+  /// Depth of the water that covers the floor from the column's edge to the far wall at time zero:
+  /// as stated, or the depth of the blocks that do; zero where they leave floor dry or are of
+  /// different depths. Empty where the source does not say what water there is.
+  [[nodiscard]] std::optional<Metres> bed_depth() const;
   /// Distance of the far wall from the column's wall; empty where no tank is known.
   [[nodiscard]] std::optional<Metres> far_wall() const;
 };
+
+/// Which of a source's blocks is the column: of water that lies in the tank and a higher block the
+/// higher one; else the first block that does not reach from wall to wall along x; else the first.
+/// Gravity, dimension, tank, blocks (one at least) and obstacles must be known.
+[[nodiscard]] std::size_t column_among_blocks(const Physics& physics);
 
 /// What differs between two runs and which statements could not be compared.
 struct PhysicsComparison {

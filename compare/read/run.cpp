@@ -26,6 +26,8 @@ void apply_options(Run& run, const SourceOptions& options) {
     physics.column.upper[0] = physics.column.lower[0] + options.column_width->value();
   if (options.column_height)
     physics.column.upper[up] = physics.column.lower[up] + options.column_height->value();
+  if (options.density) physics.density = *options.density;
+  if (options.bed_depth) physics.stated_bed = *options.bed_depth;
   if (options.tank_width || options.tank_height) {
     if (!physics.tank) {
       physics.tank = physics.column;
@@ -42,7 +44,8 @@ void apply_options(Run& run, const SourceOptions& options) {
 void refuse_options(const fs::path& path, const SourceOptions& o) {
   const SourceOptions usual;
   const bool facts = o.column_width || o.column_height || o.gravity || o.tank_width ||
-                     o.tank_height || o.spacing || o.dimension || o.time_step || o.first_time;
+                     o.tank_height || o.bed_depth || o.density || o.spacing || o.dimension ||
+                     o.time_step || o.first_time;
   const bool names = o.axes || o.vertical_stated || !o.format.empty() || !o.files.empty() ||
                      !o.walls.empty() || !o.groups.empty() || !o.position_array.empty() ||
                      o.velocity_array != usual.velocity_array ||

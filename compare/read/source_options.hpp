@@ -61,13 +61,15 @@ struct FileUnits {
 
 /// What the user says about a source that its files do not say, or say under other names. Each
 /// belongs to one key of a map file and to the command-line option of that name (see
-/// source_keys()). Numbers are in m, s and m/s2, whatever the files' units are.
+/// source_keys()). Numbers are in m, s, m/s2 and kg/m3, whatever the files' units are.
 struct SourceOptions {
   std::optional<Metres> column_width;
   std::optional<Metres> column_height;
   std::optional<double> gravity;      ///< magnitude, m/s2
   std::optional<Metres> tank_width;   ///< far wall from the column's wall
   std::optional<Metres> tank_height;  ///< top of the tank from its floor
+  std::optional<Metres> bed_depth;    ///< of water lying in the tank at time 0
+  std::optional<double> density;      ///< of the water, kg/m3
   std::optional<Metres> spacing;      ///< l0
   std::optional<Seconds> time_step;   ///< from one number of a file (or step of a dump) to the next
   std::optional<Seconds> first_time;  ///< of the first file, instead of its number times time_step

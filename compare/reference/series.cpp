@@ -94,11 +94,27 @@ class SeriesParser {
     return value;
   }
 
+  double positive(const std::string& key) {
+    const std::string text = take(key);
+    const double value = number(key, text);
+    if (value <= 0.0) fail(key, text, "more than 0");
+    return value;
+  }
+
   PublishedSeries finish() {
     series_.name = file_.stem().string();
     series_.label = take("label");
     series_.citation = take("citation");
     series_.column = take("column");
+    series_.of.column_height = positive("column_height");
+    const std::string tank = take("tank_width");
+    if (tank != "open") {
+      series_.of.tank_width = number("tank_width", tank);
+      if (*series_.of.tank_width <= 1.0) fail("tank_width", tank, "open, or more than 1");
+    }
+    series_.of.bed_depth = uncertainty("bed_depth");
+    series_.of.gate = take("gate");
+    series_.of.axes = take("axes");
     const std::string kind = take("kind");
     if (kind != "experiment" && kind != "computation")
       fail("kind", kind, "experiment or computation");
@@ -108,7 +124,8 @@ class SeriesParser {
     header_.erase("note");
     if (!header_.empty()) {
       fail(header_.begin()->first, "an unknown key",
-           "label, citation, column, kind, time_uncertainty, position_uncertainty or note");
+           "label, citation, column, column_height, tank_width, bed_depth, gate, axes, kind, "
+           "time_uncertainty, position_uncertainty or note");
     }
     return series_;
   }

@@ -153,7 +153,8 @@ void measure_differences(const StudyResult& study, const std::vector<Sequence>& 
       out["against_vof"].push_back(against_vof(study, sequence, vof, metrics));
   }
   for (const PublishedSeries& series : study.published) {
-    if (series.experiment)
+    // A series of another case says nothing about VOF, as metrics.json tells.
+    if (series.experiment && !other_case(series, vof.finest().run.physics))
       out["experiments"].push_back(against_experiment(study, series, vof, metrics));
   }
 }

@@ -100,9 +100,11 @@ FrontDifference difference(const DimensionlessFront& run, const DimensionlessFro
   result.rms = std::sqrt(squares / length);
   result.bias /= length;
   for (std::size_t k = 0; k < arrival_levels.size(); ++k) {
-    const auto a = run.arrival(DimensionlessLength(arrival_levels[k]));
-    const auto b = reference.arrival(DimensionlessLength(arrival_levels[k]));
-    if (a && b) result.arrival[k] = *a - *b;
+    const auto a = run.arrival_moment(DimensionlessLength(arrival_levels[k]));
+    const auto b = reference.arrival_moment(DimensionlessLength(arrival_levels[k]));
+    if (!a || !b) continue;
+    result.arrival[k] = a->time - b->time;
+    result.arrival_uncertainty[k] = std::hypot(a->uncertainty(), b->uncertainty());
   }
   return result;
 }
@@ -156,9 +158,15 @@ std::optional<Impact> impact(const FrontHistory& history, Metres far_wall, Metre
   return std::nullopt;
 }
 
-MeasuredRun measure(Run run, const FrontOptions& options) {
+MeasuredRun measure(Run run, const FrontOptions& options, bool with_variants) {
   MeasuredRun measured{std::move(run), {}, {}};
-  measured.history = measure_front(measured.run, options);
+  if (with_variants) {
+    FrontWithVariants found = measure_front_variants(measured.run, options);
+    measured.history = std::move(found.front);
+    measured.variants = std::move(found.variants);
+  } else {
+    measured.history = measure_front(measured.run, options);
+  }
   measured.front = dimensionless(measured.history, measured.run.physics.scales());
   return measured;
 }

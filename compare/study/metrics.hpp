@@ -46,6 +46,8 @@ struct FrontDifference {
   DimensionlessTime time_of_maximum;
   /// T of arrival of run minus reference per level; empty where one does not get there in W.
   std::array<std::optional<DimensionlessTime>, arrival_levels.size()> arrival{};
+  /// Standard uncertainty of each of them: of both moments between their frames.
+  std::array<std::optional<double>, arrival_levels.size()> arrival_uncertainty{};
 };
 [[nodiscard]] FrontDifference difference(const DimensionlessFront& run,
                                          const DimensionlessFront& reference, const WallRule& wall);
@@ -69,11 +71,7 @@ struct SeriesComparison {
 
 /// Time at which the front is within half a spacing of the far wall, linear between frames, and
 /// the frames before and after it.
-struct Impact {
-  Seconds time;
-  Seconds before;
-  Seconds after;
-};
+using Impact = Moment<Seconds>;
 [[nodiscard]] std::optional<Impact> impact(const FrontHistory& history, Metres far_wall,
                                            Metres spacing);
 
@@ -82,8 +80,9 @@ struct MeasuredRun {
   Run run;
   FrontHistory history;
   DimensionlessFront front;
+  std::vector<FrontVariant> variants{};  ///< by other choices, where they were asked for
 };
-[[nodiscard]] MeasuredRun measure(Run run, const FrontOptions& options);
+[[nodiscard]] MeasuredRun measure(Run run, const FrontOptions& options, bool with_variants = false);
 
 struct MetricsOptions {
   FrontOptions front;

@@ -14,13 +14,31 @@ json window_json(const Window& window) {
   return json::array({window.begin.value(), window.end.value()});
 }
 
-json arrival_json(const DimensionlessFront& front) {
-  json arrivals = json::object();
+/// When the front arrived at each level, between which frames that was, and the standard
+/// uncertainty that follows from it.
+void add_arrivals(json& out, const DimensionlessFront& front) {
+  for (const char* key : {"arrival_T", "arrival_between_T", "arrival_u_T"})
+    out[key] = json::object();
   for (const double level : arrival_levels) {
-    const auto time = front.arrival(DimensionlessLength(level));
-    arrivals[level_text(level)] = time ? json(time->value()) : json(nullptr);
+    const auto moment = front.arrival_moment(DimensionlessLength(level));
+    const std::string name = level_text(level);
+    out["arrival_T"][name] = moment ? json(moment->time.value()) : json(nullptr);
+    out["arrival_between_T"][name] =
+        moment ? json::array({moment->before.value(), moment->after.value()}) : json(nullptr);
+    out["arrival_u_T"][name] = moment ? json(moment->uncertainty()) : json(nullptr);
   }
-  return arrivals;
+}
+
+void add_impact(json& out, const std::optional<Impact>& hit, const Scales& scales) {
+  const auto in_T = [&](Seconds t) { return scales.dimensionless(t).value(); };
+  out["impact_time_s"] = hit ? json(hit->time.value()) : json(nullptr);
+  out["impact_between_s"] =
+      hit ? json::array({hit->before.value(), hit->after.value()}) : json(nullptr);
+  out["impact_u_s"] = hit ? json(hit->uncertainty()) : json(nullptr);
+  out["impact_T"] = hit ? json(in_T(hit->time)) : json(nullptr);
+  out["impact_between_T"] =
+      hit ? json::array({in_T(hit->before), in_T(hit->after)}) : json(nullptr);
+  out["impact_u_T"] = hit ? json(in_T(Seconds(hit->uncertainty()))) : json(nullptr);
 }
 
 /// What one run's files say and its own front, without any comparison.
@@ -41,15 +59,28 @@ json describe(const MeasuredRun& measured, std::size_t frames) {
   for (const char* count : {"lost_particles", "nonfinite"}) {
     if (run.manifest.is_object() && run.manifest.contains(count)) out[count] = run.manifest[count];
   }
-  out["arrival_T"] = arrival_json(measured.front);
+  add_arrivals(out, measured.front);
   const auto far = run.physics.far_wall();
-  const auto hit = far ? impact(measured.history, *far, run.spacing) : std::nullopt;
-  out["impact_time_s"] = hit ? json(hit->time.value()) : json(nullptr);
-  out["impact_T"] =
-      hit ? json(run.physics.scales().dimensionless(hit->time).value()) : json(nullptr);
-  out["impact_between_s"] =
-      hit ? json::array({hit->before.value(), hit->after.value()}) : json(nullptr);
+  add_impact(out, far ? impact(measured.history, *far, run.spacing) : std::nullopt,
+             run.physics.scales());
   return out;
+}
+
+/// How far the front by other choices is from the one that is used, in its own window.
+void add_variants(json& out, const MeasuredRun& measured, const MetricsOptions& options) {
+  if (measured.variants.empty()) return;
+  out["front_sensitivity"] = json::object();
+  const WallRule wall = wall_rule(measured.run, options.wall_distance);
+  for (const FrontVariant& variant : measured.variants) {
+    json& entry = out["front_sensitivity"][variant.name];
+    try {
+      const auto front = dimensionless(variant.history, measured.run.physics.scales());
+      const FrontDifference d = difference(front, measured.front, wall);
+      entry = {{"rms", d.rms}, {"max", d.maximum}};
+    } catch (const Error& error) {
+      entry = {{"reason", error.what()}};
+    }
+  }
 }
 
 void add_difference(json& out, const FrontDifference& d, const std::string& against) {
@@ -58,12 +89,15 @@ void add_difference(json& out, const FrontDifference& d, const std::string& agai
   out["max_vs_" + against] = d.maximum;
   out["max_at_T"] = d.time_of_maximum.value();
   out["bias_vs_" + against] = d.bias;
-  json arrivals = json::object();
+  json arrivals = json::object(), uncertainties = json::object();
   for (std::size_t k = 0; k < arrival_levels.size(); ++k) {
-    arrivals[level_text(arrival_levels[k])] =
-        d.arrival[k] ? json(d.arrival[k]->value()) : json(nullptr);
+    const std::string name = level_text(arrival_levels[k]);
+    arrivals[name] = d.arrival[k] ? json(d.arrival[k]->value()) : json(nullptr);
+    uncertainties[name] =
+        d.arrival_uncertainty[k] ? json(*d.arrival_uncertainty[k]) : json(nullptr);
   }
   out["arrival_T_difference"] = arrivals;
+  out["arrival_u_T_difference"] = uncertainties;
 }
 
 json statistics_json(const SeriesDifference& d) {
@@ -74,6 +108,10 @@ json published_json(const MeasuredRun& measured, const std::vector<PublishedSeri
                     const MetricsOptions& options) {
   json out = json::object();
   for (const PublishedSeries& series : published) {
+    if (const auto reason = other_case(series, measured.run.physics)) {
+      out[series.name] = {{"status", "skipped"}, {"reason", *reason}};
+      continue;
+    }
     try {
       const SeriesComparison c =
           against_series(measured.front, series, wall_rule(measured.run, options.wall_distance));
@@ -114,6 +152,8 @@ json definition_json(const std::string& reference, const MetricsOptions& options
   const FrontOptions& front = options.front;
   return {{"reference", reference},
           {"strip_height_m", front.strip_height.value()},
+          {"strip_least_spacings", least_strip_spacings},
+          {"bed_share", front.bed_share},
           {"linking_length_spacings", front.linking_length},
           {"raw_maximum", front.raw_maximum},
           {"wall_distance_L", options.wall_distance.value()},
@@ -144,6 +184,7 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
     out["published"][series.name] = {{"label", series.label},
                                      {"citation", series.citation},
                                      {"kind", series.experiment ? "experiment" : "computation"},
+                                     {"case", to_json(series.of)},
                                      {"uncertainty_T", series.time_uncertainty.value()},
                                      {"uncertainty_Z_over_L", series.position_uncertainty.value()}};
   }
@@ -157,6 +198,7 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
     require_same_physics(physics, options.allowed_differences);
     json front = describe(measured, measured.run.frames->times().size());
     front["physics_not_stated"] = physics.not_stated;
+    add_variants(front, measured, options);
     try {
       add_difference(
           front,

@@ -142,6 +142,8 @@ std::optional<Verdict> impact_verdict(const StudyResult& study, const RunResult&
 
 std::optional<Verdict> experiment_verdict(const StudyResult& study, const RunResult& run,
                                           const PublishedSeries& series) {
+  // A series of another case says nothing about this run, as metrics.json tells.
+  if (other_case(series, run.measured->run.physics)) return std::nullopt;
   Verdict verdict;
   try {
     verdict.difference = against_series(run.measured->front, series, study.wall()).raw.rms;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -116,6 +117,20 @@ inline void append(std::vector<Vec3>& points, const std::vector<Vec3>& more) {
   points.insert(points.end(), more.begin(), more.end());
 }
 
+/// A frame as observables see it.
+inline FrameView view_of(Frame frame, const Physics& physics, double spacing) {
+  FrameView view(physics, Metres(spacing));
+  view.show(std::move(frame));
+  return view;
+}
+
+inline ParticleFrame particles(std::vector<Vec3> position, double time = 0.0) {
+  ParticleFrame frame;
+  frame.time = Seconds(time);
+  frame.position = std::move(position);
+  return frame;
+}
+
 /// A box of nx x ny x nz cells, alpha given by the integral mean over each cell of `water`
 /// (sampled `samples` times per axis; 1 takes the centre).
 inline MeshFrame box_mesh(const Vec3& upper, std::array<int, 3> n,
@@ -142,18 +157,45 @@ inline MeshFrame box_mesh(const Vec3& upper, std::array<int, 3> n,
             id(i, j, k),     id(i + 1, j, k),     id(i + 1, j + 1, k),     id(i, j + 1, k),
             id(i, j, k + 1), id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)};
         frame.grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners.data());
+        // A single layer of cells is sampled in its middle.
+        const int deep = n[2] == 1 ? 1 : samples;
         double sum = 0.0;
         for (int a = 0; a < samples; ++a) {
           for (int b = 0; b < samples; ++b) {
-            sum += water({(i + (a + 0.5) / samples) * h[0], (j + (b + 0.5) / samples) * h[1],
-                          (k + 0.5) * h[2]});
+            for (int c = 0; c < deep; ++c) {
+              sum += water({(i + (a + 0.5) / samples) * h[0], (j + (b + 0.5) / samples) * h[1],
+                            (k + (c + 0.5) / deep) * h[2]});
+            }
           }
         }
-        frame.alpha.push_back(sum / (samples * samples));
+        frame.alpha.push_back(sum / (samples * samples * deep));
       }
     }
   }
   return frame;
+}
+
+/// Gives each cell a value of its middle.
+inline void add_cell_field(MeshFrame& frame, const char* name, int components,
+                           const std::function<Vec3(Vec3)>& value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  for (vtkIdType c = 0; c < frame.grid->GetNumberOfCells(); ++c) {
+    double b[6];
+    frame.grid->GetCellBounds(c, b);
+    const Vec3 v = value({0.5 * (b[0] + b[1]), 0.5 * (b[2] + b[3]), 0.5 * (b[4] + b[5])});
+    array->InsertNextTuple(v.data());
+  }
+  frame.grid->GetCellData()->AddArray(array);
+}
+
+inline void add_velocity(MeshFrame& frame, const std::function<Vec3(Vec3)>& velocity) {
+  add_cell_field(frame, "U", 3, velocity);
+}
+
+inline void add_pressure(MeshFrame& frame, const std::function<double(Vec3)>& pressure) {
+  add_cell_field(frame, "p", 1, [&](const Vec3& x) { return Vec3{pressure(x), 0, 0}; });
 }
 
 /// Writes particles as surge-particle does.

@@ -137,6 +137,7 @@ class SyntheticStudy {
   static std::string late_series() {
     std::string csv =
         "# label: Late series\n# citation: Nobody 1900 <made up>\n# column: none\n"
+        "# column_height: 2\n# tank_width: 4\n# bed_depth: 0\n# gate: none\n# axes: T, Z/L\n"
         "# kind: experiment\n# time_uncertainty: 0.1\n# position_uncertainty: 0.15\n"
         "T,Z_over_L\n";
     const Scales scales = dam_break().scales();

@@ -15,7 +15,7 @@ COMPARE = [["read"], ["measure"], ["reference"], ["verification"], ["study"], ["
            ["commands"]]
 # What the rebuild has still to mend. An entry that is no longer needed fails the test, so that the list
 # can only shrink.
-LEFT_UPWARDS = {"compare/measure/wall_pressure.hpp"}
+LEFT_UPWARDS: set[str] = set()
 LEFT_LONG = {
     "tests/linear/pressure_solver_test.cpp", "tests/mps/operators_test.cpp"}
 
@@ -82,7 +82,8 @@ class Structure(unittest.TestCase):
         self.assertIn("mps", methods)
         entry = (ROOT / METHODS).read_text(encoding="utf-8")
         for method in methods:
-            self.assertEqual(1, len(re.findall(rf"\b{method}::", entry)), f"{METHODS}: one entry of {method}")
+            entries = re.findall(rf"\b{method}::", entry)  # sph is not isph
+            self.assertEqual(1, len(entries), f"{METHODS}: one entry of {method}")
             named = re.compile(rf'"{method}"|\b{method}::|"particle/{method}/')
             for path in sources("particle"):
                 if path.suffix not in (".cpp", ".hpp", ".cmake", ".txt"):

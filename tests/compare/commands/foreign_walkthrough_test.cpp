@@ -98,6 +98,16 @@ TEST_F(Walkthrough, OptionOfSeveralSourcesNeedsAName) {
   EXPECT_EQ(run(metrics + " --spacing nobody=0.01"), 1);
 }
 
+TEST_F(Walkthrough, ObservablesOfSeveralSourcesHaveTheirOwnOptions) {
+  const std::string measure =
+      "surge-compare measure mine/all.csv trixi/out --reference mine/all.csv --strip-height 0.03 "
+      "--observable front --observable centre-of-mass --csv m.csv --map all.csv=mine.toml ";
+  ASSERT_EQ(run(measure + "--spacing out=0.01 --gravity out=9.81"), 0) << text_of("output.txt");
+  EXPECT_THAT(text_of("m.csv"), HasSubstr("0.15"));  // the last front of both
+  EXPECT_EQ(run(measure + "--spacing out=0.01"), 1);
+  EXPECT_THAT(text_of("output.txt"), HasSubstr("--gravity"));
+}
+
 TEST_F(Walkthrough, FactThatAMapStatesCanBeChangedBesideIt) {
   EXPECT_EQ(run("surge-compare front mine/all.csv --out x.csv --map mine.toml --spacing 0.03"), 1);
   EXPECT_THAT(text_of("output.txt"), HasSubstr("spacing 0.03 m"));

@@ -126,5 +126,53 @@ TEST_F(Program, HelpsWithExamples) {
   }
 }
 
+TEST_F(Program, ListsItsObservables) {
+  const Outcome outcome = run_program("measure --list");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  for (const char* name :
+       {"front", "gauge", "column-height", "profile", "overlap", "centre-of-mass", "kinetic-energy",
+        "potential-energy", "volume", "pressure", "force", "detached"})
+    EXPECT_THAT(outcome.text, HasSubstr(name));
+}
+
+TEST_F(Program, MeasuresSeveralObservablesOfSeveralSources) {
+  const Outcome outcome =
+      run_program("measure " + at("a") + " " + at("b") +
+                  " --observable gauge:x=0.1 --observable front --reference " + at("b") +
+                  " --observable overlap --csv " + at("m.csv") + " --json " + at("m.json"));
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("gauge:x=0.1 [m]: 12 times; first 0.29 at 0 s"));
+  const nlohmann::json found = read_json(at("m.json"));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0]["name"], "a");
+  EXPECT_EQ(found[0]["series"][1]["unit"], "m");
+  EXPECT_NEAR(found[0]["series"][1]["value"][5].get<double>(), 0.365, 1e-9);
+  EXPECT_EQ(found[1]["series"][2]["value"][5], 1.0);
+  std::ifstream in(at("m.csv"));
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "source,series,unit,time_s,x_m,value");
+  std::getline(in, line);
+  EXPECT_THAT(line, HasSubstr("a,gauge:x=0.1,m,0,,0.29"));
+}
+
+TEST_F(Program, WritesCsvAloneToTheStandardOutput) {
+  const Outcome outcome = run_program("measure " + at("a") + " --observable volume --csv -");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.text.rfind("source,series", 0), 0U) << outcome.text;
+  EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 13);
+}
+
+TEST_F(Program, AnObservableThatFailsLeavesTheOthersAndTheExitCodeTells) {
+  const Outcome outcome =
+      run_program("measure " + at("a") + " --observable gauge:x=7 --observable volume");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.text, HasSubstr("gauge:x=7: height of the water: found the place x = 7 m"));
+  EXPECT_THAT(outcome.text, HasSubstr("volume [m2]: 12 times"));
+  EXPECT_THAT(run_program("measure " + at("a") + " --observable guage:x=0.1").text,
+              HasSubstr("\"gauge\"?"));
+  EXPECT_THAT(run_program("measure " + at("a")).text, HasSubstr("--list"));
+}
+
 }  // namespace
 }  // namespace surge::compare

@@ -11,6 +11,8 @@ using testing::append;
 using testing::box_mesh;
 using testing::dam_break;
 using testing::lattice;
+using testing::particles;
+using testing::view_of;
 
 Run particle_run(double l0) {
   Run run;
@@ -25,29 +27,49 @@ Run mesh_run(double cell) {
   return run;
 }
 
-ParticleFrame particles(std::vector<Vec3> position) {
-  ParticleFrame frame;
-  frame.position = std::move(position);
-  return frame;
+/// A dam break in 3D, z upwards or y upwards: column 0.1 x 0.05 x 0.2 in a tank 0.4 x 0.05 x 0.4.
+Physics dam_break_3d(std::size_t up) {
+  Physics physics = dam_break();
+  physics.dimension = 3;
+  physics.gravity = {};
+  physics.gravity[up] = -9.81;
+  physics.column = {{0, 0, 0}, {0.1, 0.05, 0.05}};
+  physics.column.upper[up] = 0.2;
+  physics.tank = Extent{{0, 0, 0}, {0.4, 0.05, 0.05}};
+  physics.tank->upper[up] = 0.4;
+  return physics;
+}
+
+FractionGrid grid_of(const Frame& frame, const Physics& physics, double spacing, double cell) {
+  FractionGrid grid(physics, Metres(cell));
+  grid.add(view_of(frame, physics, spacing));
+  return grid;
 }
 
 TEST(FractionGrid, KeepsTheAreaOfTheWater) {
-  FractionGrid grid(dam_break(), Metres(0.00725));
-  grid.add(particles(lattice({0, 0, 0}, {0.145, 0.29, 0}, 0.005)), particle_run(0.005));
-  EXPECT_NEAR(grid.area(), 0.145 * 0.29, 1e-12);
-  FractionGrid of_mesh(dam_break(), Metres(0.00725));
-  of_mesh.add(box_mesh({0.58, 0.58, 0.01}, {40, 40, 1},
+  const FractionGrid grid =
+      grid_of(particles(lattice({0, 0, 0}, {0.145, 0.29, 0}, 0.005)), dam_break(), 0.005, 0.00725);
+  EXPECT_NEAR(grid.volume(), 0.145 * 0.29, 1e-12);
+  const FractionGrid of_mesh =
+      grid_of(box_mesh({0.58, 0.58, 0.01}, {40, 40, 1},
                        [](const Vec3& x) { return x[0] < 0.145 && x[1] < 0.29 ? 0.75 : 0.0; }),
-              mesh_run(0.0145));
-  EXPECT_NEAR(of_mesh.area(), 0.75 * 0.145 * 0.29, 1e-12);
+              dam_break(), 0.0145, 0.00725);
+  EXPECT_NEAR(of_mesh.volume(), 0.75 * 0.145 * 0.29, 1e-12);
+}
+
+TEST(FractionGrid, KeepsTheVolumeInThreeDimensions) {
+  for (const std::size_t up : {1U, 2U}) {
+    const Physics physics = dam_break_3d(up);
+    const FractionGrid grid =
+        grid_of(particles(lattice({0, 0, 0}, physics.column.upper, 0.005)), physics, 0.005, 0.01);
+    EXPECT_NEAR(grid.volume(), 0.1 * 0.05 * 0.2, 1e-12);
+  }
 }
 
 TEST(Overlap, OfARegionMovedByAFifthOfItsWidth) {
-  const Physics physics = dam_break();
   const auto region = [&](double x) {
-    FractionGrid grid(physics, Metres(0.0145));
-    grid.add(particles(lattice({x, 0, 0}, {x + 0.145, 0.29, 0}, 0.0145)), particle_run(0.0145));
-    return grid;
+    return grid_of(particles(lattice({x, 0, 0}, {x + 0.145, 0.29, 0}, 0.0145)), dam_break(), 0.0145,
+                   0.0145);
   };
   EXPECT_NEAR(overlap(region(0.0), region(0.0)), 1.0, 1e-12);
   // Eight columns of ten in both, twelve in either one.
@@ -56,12 +78,26 @@ TEST(Overlap, OfARegionMovedByAFifthOfItsWidth) {
 }
 
 TEST(Overlap, ParticlesAgainstAMeshOfTheSameWater) {
-  FractionGrid a(dam_break(), Metres(0.00725)), b(dam_break(), Metres(0.00725));
-  a.add(particles(lattice({0, 0, 0}, {0.145, 0.29, 0}, 0.005)), particle_run(0.005));
-  b.add(box_mesh({0.58, 0.58, 0.01}, {80, 80, 1},
-                 [](const Vec3& x) { return x[0] < 0.145 && x[1] < 0.29 ? 1.0 : 0.0; }),
-        mesh_run(0.00725));
+  const FractionGrid a =
+      grid_of(particles(lattice({0, 0, 0}, {0.145, 0.29, 0}, 0.005)), dam_break(), 0.005, 0.00725);
+  const FractionGrid b =
+      grid_of(box_mesh({0.58, 0.58, 0.01}, {80, 80, 1},
+                       [](const Vec3& x) { return x[0] < 0.145 && x[1] < 0.29 ? 1.0 : 0.0; }),
+              dam_break(), 0.00725, 0.00725);
   EXPECT_NEAR(overlap(a, b), 1.0, 1e-12);
+}
+
+TEST(Overlap, InThreeDimensionsOfAMeshMovedAcross) {
+  // The particles fill the width, the mesh three fifths of it: cells in both over cells in either.
+  const Physics physics = dam_break_3d(2);
+  const FractionGrid a =
+      grid_of(particles(lattice({0, 0, 0}, {0.1, 0.05, 0.2}, 0.005)), physics, 0.005, 0.01);
+  const FractionGrid b = grid_of(
+      box_mesh({0.4, 0.05, 0.4}, {40, 5, 40},
+               [](const Vec3& x) { return x[0] < 0.1 && x[1] < 0.03 && x[2] < 0.2 ? 1.0 : 0.0; }),
+      physics, 0.01, 0.01);
+  EXPECT_NEAR(b.volume(), 0.1 * 0.03 * 0.2, 1e-12);
+  EXPECT_NEAR(overlap(a, b), 0.6, 1e-12);
 }
 
 TEST(OverlapCell, IsNoFinerThanEitherRun) {
@@ -75,12 +111,12 @@ TEST(Detached, ParticlesByTheLinkingLength) {
   std::vector<Vec3> position = lattice({0, 0, 0}, {0.1, 0.1, 0}, l0);  // 400
   // A drop of 100 whose nearest particle is 2.2 spacings away.
   append(position, lattice({0.1 + 1.2 * l0, 0, 0}, {0.15 + 1.2 * l0, 0.05, 0}, l0));
-  const ParticleFrame frame = particles(position);
-  const Detached usual = detached(frame, Metres(l0), 2.0);
+  FrameView frame = view_of(particles(position), dam_break(), l0);
+  const Detached usual = detached(frame);
   EXPECT_EQ(usual.pieces, 1U);
   EXPECT_NEAR(usual.part, 0.2, 1e-12);
-  EXPECT_EQ(detached(frame, Metres(l0), 2.5).pieces, 0U);
-  EXPECT_EQ(detached(frame, Metres(l0), 0.9).pieces, 499U);
+  EXPECT_EQ(detached(frame, {.linking_length = 2.5}).pieces, 0U);
+  EXPECT_EQ(detached(frame, {.linking_length = 0.9}).pieces, 499U);
 }
 
 TEST(Detached, MeshByTheLevelAtTheCorners) {
@@ -91,13 +127,32 @@ TEST(Detached, MeshByTheLevelAtTheCorners) {
     const bool film = x[0] > 0.8 && x[0] < 0.82 && x[1] > 0.3 && x[1] < 0.7;
     return body || drop || (film && x[1] > 0.0) ? 1.0 : 0.0;
   });
-  MeshFront mesh;
-  const Detached strict = detached(mesh, frame, 0.75);
+  FrameView view = view_of(frame, dam_break(), 0.02);
+  const Detached strict = detached(view, {.corner_level = 0.75});
   EXPECT_EQ(strict.pieces, 1U);
-  const Detached usual = detached(mesh, frame, 0.5);
+  const Detached usual = detached(view);
   EXPECT_EQ(usual.pieces, 2U);
   EXPECT_GT(usual.part, strict.part);
   EXPECT_NEAR(usual.part + usual.blurred, 1.0 - 100.0 / 136.0, 0.02);
+}
+
+TEST(Detached, InThreeDimensions) {
+  const Physics physics = dam_break_3d(2);
+  // 8 x 4 x 4 cells of a body and 2 x 2 x 2 of a drop, 64 particles to a cell of 0.02 m.
+  std::vector<Vec3> position = lattice({0, 0, 0}, {0.16, 0.08, 0.08}, 0.005);
+  append(position, lattice({0.24, 0, 0.1}, {0.28, 0.04, 0.14}, 0.005));
+  FrameView frame = view_of(particles(position), physics, 0.005);
+  EXPECT_EQ(detached(frame).pieces, 1U);
+  EXPECT_NEAR(detached(frame).part, 8.0 / 136.0, 1e-12);
+  const MeshFrame cells = box_mesh({0.4, 0.08, 0.4}, {20, 4, 20}, [](const Vec3& x) {
+    const bool body = x[0] < 0.16 && x[2] < 0.08;
+    const bool drop = x[0] > 0.24 && x[0] < 0.28 && x[1] < 0.04 && x[2] > 0.1 && x[2] < 0.14;
+    return body || drop ? 1.0 : 0.0;
+  });
+  FrameView mesh = view_of(cells, physics, 0.02);
+  const Detached found = detached(mesh);
+  EXPECT_EQ(found.pieces, 1U);
+  EXPECT_NEAR(found.part + found.blurred, 8.0 / 136.0, 0.02);
 }
 
 TEST(SmallestDistance, IsThatOfTheNearestPair) {

@@ -16,8 +16,9 @@ MeshFrame slab(const std::function<double(Vec3)>& water, int samples = 1) {
 }
 
 double edge_of(const MeshFrame& frame, const FrontOptions& options = {},
-               Physics physics = testing::dam_break()) {
-  return MeshFront().leading_edge(frame, physics, options).value();
+               const Physics& physics = testing::dam_break()) {
+  FrameView view = testing::view_of(frame, physics, h);
+  return leading_edge(view, options).value();
 }
 
 /// Water where `inside` says so, mean over each cell.
@@ -52,12 +53,11 @@ TEST(MeshFront, OfAnOverhangIsTakenAtTheTopOfTheStrip) {
 TEST(MeshFront, FollowsTheStripThatItIsAskedFor) {
   // One object, one mesh, other strips: what was found for the one before must not be used.
   const MeshFrame frame = slab([](Vec3 x) { return 0.5 + 3.0 * (0.3 + x[1] - x[0]); });
-  MeshFront front;
+  FrameView view = testing::view_of(frame, testing::dam_break(), h);
   FrontOptions options;
   for (const double height : {0.0137, 0.1037, 0.0537}) {
     options.strip_height = Metres(height);
-    EXPECT_NEAR(front.leading_edge(frame, testing::dam_break(), options).value(), 0.3 + height,
-                1e-6);
+    EXPECT_NEAR(leading_edge(view, options).value(), 0.3 + height, 1e-6);
   }
 }
 
@@ -138,17 +138,16 @@ TEST(MeshFront, CrossesTheBorderBetweenProcessors) {
 }
 
 TEST(MeshFront, NoticesAnotherMesh) {
-  MeshFront front;
   const auto water = [](Vec3 x) { return x[0] < 0.2 ? 1.0 : 0.0; };
-  EXPECT_NEAR(front.leading_edge(slab(water), testing::dam_break(), {}).value(), 0.2, 1e-12);
-  const MeshFrame wider = box_mesh({2.0, 0.4, 0.01}, {100, 40, 1}, water);
-  EXPECT_NEAR(front.leading_edge(wider, testing::dam_break(), {}).value(), 0.2, 1e-12);
+  FrameView view = testing::view_of(slab(water), testing::dam_break(), h);
+  EXPECT_NEAR(leading_edge(view, {}).value(), 0.2, 1e-12);
+  view.show(box_mesh({2.0, 0.4, 0.01}, {100, 40, 1}, water));
+  EXPECT_NEAR(leading_edge(view, {}).value(), 0.2, 1e-12);
 }
 
 TEST(MeshFront, IsEmptyWithoutWater) {
-  EXPECT_FALSE(MeshFront()
-                   .leading_edge(slab([](Vec3) { return 0.0; }), testing::dam_break(), {})
-                   .has_value());
+  FrameView view = testing::view_of(slab([](Vec3) { return 0.0; }), testing::dam_break(), h);
+  EXPECT_FALSE(leading_edge(view, {}).has_value());
 }
 
 }  // namespace

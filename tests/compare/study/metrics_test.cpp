@@ -91,9 +91,9 @@ TEST(Difference, WithoutAWallGoesToTheEnd) {
   EXPECT_NEAR(common_window(straight(0.1), straight(0.1), {}).end.value(), 3.0, 1e-12);
 }
 
-PublishedSeries series_of(const DimensionlessFront& front) {
+PublishedSeries series_of(const DimensionlessFront& front, std::string name = "s") {
   PublishedSeries series;
-  series.name = "s";
+  series.name = std::move(name);
   series.front = front;
   return series;
 }
@@ -178,6 +178,16 @@ TEST(MetricsJson, HoldsWhatTheReportNeeds) {
   EXPECT_NEAR(mps.at("bias_vs_vof").get<double>(), 0.05, 1e-12);
   EXPECT_NEAR(mps.at("arrival_T_difference").at("1.5").get<double>(), -0.05 / 1.2, 1e-12);
   EXPECT_NEAR(mps.at("arrival_T").at("2.0").get<double>(), 0.95 / 1.2, 1e-12);
+  // An arrival is known no better than the frames are dense.
+  const auto between = mps.at("arrival_between_T").at("2.0").get<std::array<double, 2>>();
+  EXPECT_LE(between[0], 0.95 / 1.2);
+  EXPECT_GE(between[1], 0.95 / 1.2);
+  EXPECT_NEAR(mps.at("arrival_u_T").at("2.0").get<double>(),
+              (between[1] - between[0]) / std::sqrt(12.0), 1e-12);
+  EXPECT_GT(mps.at("arrival_u_T_difference").at("2.0").get<double>(),
+            mps.at("arrival_u_T").at("2.0").get<double>());
+  const auto hit = mps.at("impact_between_s").get<std::array<double, 2>>();
+  EXPECT_NEAR(mps.at("impact_u_s").get<double>(), (hit[1] - hit[0]) / std::sqrt(12.0), 1e-12);
   EXPECT_EQ(mps.at("window_T").at(0), 0.0);
   EXPECT_TRUE(mps.at("impact_time_s").is_number());
   EXPECT_EQ(out.at("front").at("vof-20").at("cells_per_L"), 20);
@@ -187,6 +197,33 @@ TEST(MetricsJson, HoldsWhatTheReportNeeds) {
   EXPECT_EQ(timing.at("steps"), 1200);
   EXPECT_EQ(timing.at("particles"), 1682);
   EXPECT_EQ(timing.at("threads"), 1);
+}
+
+TEST(MetricsJson, ComparesWithNoSeriesOfAnotherCase) {
+  std::vector<MeasuredRun> runs;
+  runs.push_back(measured("a", "mps", straight(0.1)));
+  runs.push_back(measured("b", "vof", straight(0.1)));
+  PublishedSeries same = series_of(straight(0.3), "same");
+  PublishedSeries other = series_of(straight(0.3), "other");
+  same.of.column_height = 2.0;
+  other.of.column_height = 1.0;
+  const nlohmann::json found = metrics(runs, "b", {same, other}, {})["front"]["a"]["published"];
+  EXPECT_EQ(found["same"]["status"], "passed");
+  EXPECT_EQ(found["other"]["status"], "skipped");
+  EXPECT_THAT(found["other"]["reason"].get<std::string>(),
+              HasSubstr("height of the column: 1.00 L in the series, 2.00 L in the run"));
+  EXPECT_FALSE(found["other"].contains("raw"));
+}
+
+TEST(MetricsJson, SaysWhatOtherChoicesOfTheFrontDo) {
+  std::vector<MeasuredRun> runs;
+  runs.push_back(measured("a", "mps", straight(0.1)));
+  runs.push_back(measured("b", "vof", straight(0.1)));
+  const MeasuredRun other = measured("c", "mps", straight(0.1, 0.03));
+  runs[0].variants.push_back({"strip_x2", other.history});
+  const nlohmann::json found = metrics(runs, "b", {}, {})["front"];
+  EXPECT_NEAR(found["a"]["front_sensitivity"]["strip_x2"]["max"].get<double>(), 0.03, 1e-12);
+  EXPECT_FALSE(found["b"].contains("front_sensitivity"));
 }
 
 TEST(MetricsJson, RefusesOtherPhysicsUnlessAllowed) {
