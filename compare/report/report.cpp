@@ -30,8 +30,12 @@ json report_metrics(const StudyResult& study) {
   MetricsOptions options;
   options.front = study.front_options();
   json out{{"study", {{"title", study.study.title}}}};
-  if (study.has_reference())
-    out = metrics(study.measured_runs, study.study.reference, study.published, options);
+  if (study.has_reference()) {
+    std::vector<PublishedSeries> published = study.published;
+    published.insert(published.end(), study.published_elsewhere.begin(),
+                     study.published_elsewhere.end());
+    out = metrics(study.measured_runs, study.study.reference, published, options);
+  }
   for (const Section& section : report_sections())
     if ((!section.needs_reference || study.has_reference()) &&
         (!section.of_the_paper || study.judges_paper()))

@@ -259,15 +259,18 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
                     const Faults& known) {
   StudyResult result;
   result.study = study;
-  for (const auto& name : study.published) {
-    result.published.push_back(read_series(series_file(study, name, series_folder)));
-  }
   const FrontOptions options = result.front_options();
   // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
   result.measured_others.reserve(study.runs.size());
   if (result.has_reference())
     result.measured_runs.push_back(measure_reference(study, runs, known, options));
+  for (const auto& name : study.published) {
+    PublishedSeries series = read_series(series_file(study, name, series_folder));
+    const bool same = result.measured_runs.empty() ||
+                      !other_case(series, result.measured_runs.front().run.physics);
+    (same ? result.published : result.published_elsewhere).push_back(std::move(series));
+  }
   for (const auto& run : study.runs) {
     RunResult entry = find_run(run, run.folder(runs), known);
     const bool story = run.role == Role::comparison;

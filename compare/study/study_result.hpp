@@ -44,7 +44,9 @@ struct StudyResult {
   Study study;
   std::vector<RunResult> runs;             ///< of role comparison: in the study's order, all
   std::vector<MeasuredRun> measured_runs;  ///< those that could be; the reference is the first
-  std::vector<PublishedSeries> published;
+  std::vector<PublishedSeries> published;  ///< of the reference's case
+  /// Of another case: compared with nothing, shown nowhere; the metrics say why.
+  std::vector<PublishedSeries> published_elsewhere;
   std::vector<RunResult> others;             ///< those of all other roles
   std::vector<MeasuredRun> measured_others;  ///< of the roles sensitivity and convergence
   /// Complete runs of role verification, by group and name.
