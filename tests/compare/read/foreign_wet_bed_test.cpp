@@ -48,7 +48,7 @@ TEST(ForeignWetBed, ColumnIsWhatStandsOutOfTheBed) {
   for (const int dimension : {2, 3}) {
     const TemporaryFolder folder;
     write(folder, dimension);
-    Run run = open_run(folder.path(), facts(dimension));
+    auto run = open_run(folder.path(), facts(dimension));
     EXPECT_EQ(run.physics.dimension, dimension);
     EXPECT_NEAR(run.physics.column_width().value(), 0.1, 1e-9);
     EXPECT_NEAR(run.physics.floor(), 0.0, 1e-9);
@@ -83,12 +83,12 @@ TEST(ForeignWetBed, OneParticleAheadOnTheBedIsNoLead) {
   std::vector<Vec3> points = bore(2, 2);
   points.push_back({0.265, 0.035, 0.0});
   testing::write_vtu(folder / "f_2.vtu", points, "", "Time", 0.1);
-  Run low = open_run(folder.path(), facts(2));
+  auto low = open_run(folder.path(), facts(2));
   EXPECT_NEAR(measure_front(low, {}).back().position.value(), 0.2, 1e-9);
   EXPECT_THAT(low.notices, ::testing::Not(Contains(HasSubstr("one particle makes"))));
   points.back() = {0.205, 0.065, 0.0};
   testing::write_vtu(folder / "f_2.vtu", points, "", "Time", 0.1);
-  Run high = open_run(folder.path(), facts(2));
+  auto high = open_run(folder.path(), facts(2));
   EXPECT_NEAR(measure_front(high, {}).back().position.value(), 0.21, 1e-9);
   EXPECT_THAT(high.notices, Contains(HasSubstr("in 1 of 3 frames one particle makes")));
 }
