@@ -183,6 +183,7 @@ class Project(unittest.TestCase):
     def series(self, last):
         header = "".join(f"# {key}: {value}\n" for key, value in {
             "label": "Measured", "citation": "Nobody 1900", "column": "none", "kind": "experiment",
+            "column_height": "2", "tank_width": "4", "bed_depth": "0", "gate": "none", "axes": "Z/L over T",
             "time_uncertainty": "0.1", "position_uncertainty": "0.1"}.items())
         self.write("compare/reference/measured.csv", f"{header}T,Z_over_L\n0,1\n{last}\n")
 
