@@ -7,6 +7,7 @@
 
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
+#include "particle/core/move_fluid.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/core/wall_normals.hpp"
 #include "particle/mps/number_density.hpp"
@@ -150,30 +151,7 @@ void Solver<D>::place_moving_walls(double dt) {
 template <int D>
 void Solver<D>::move(double dt, const std::array<Field, D>& velocity, StepReport& report) {
   const auto scope = clock_.measure(Phase::forces);
-  Particles<D>& p = s_.p;
-  const auto n = static_cast<std::ptrdiff_t>(p.size());
-  long collisions = 0;
-  long lost = 0;
-#pragma omp parallel for schedule(static, stretch) reduction(+ : collisions, lost)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (p.type[i] != ParticleType::fluid) continue;
-    Vec<D> start;
-    Vec<D> end;
-    Vec<D> v;
-    for (int a = 0; a < D; ++a) {
-      start[a] = p.x[a][i];
-      end[a] = start[a] + dt * velocity[a][i];
-      v[a] = p.v[a][i];
-    }
-    if (walls_.apply(start, end, v)) {
-      ++collisions;
-      for (int a = 0; a < D; ++a) p.v[a][i] = v[a];
-    }
-    for (int a = 0; a < D; ++a) p.x[a][i] = end[a];
-    if (walls_.is_lost(end)) ++lost;
-  }
-  report.wall_collisions += collisions;
-  report.lost = lost;
+  move_fluid<D>(s_.p, walls_, dt, velocity, report);
 }
 
 template <int D>
