@@ -46,31 +46,31 @@ template <int D>
 void MovingWalls<D>::place(Particles<D>& p, double begin, double end,
                            std::array<Field, D>& acceleration) const {
   place(p, end);
-  const auto n = static_cast<std::ptrdiff_t>(p.size());
   std::vector<double> mean(walls_.size());
   for (std::size_t k = 0; k < walls_.size(); ++k)
     mean[k] = (motion_at(walls_[k].law, end).velocity - motion_at(walls_[k].law, begin).velocity) /
               (end - begin);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::size_t k = wall_of(p.id[i]);
-    for (std::size_t a = 0; a < D; ++a)
-      acceleration[a][i] = k == walls_.size() ? 0.0 : mean[k] * walls_[k].direction[a];
-  }
+  give_to_particles(p, mean, acceleration);
 }
 
 template <int D>
 void MovingWalls<D>::accelerations(const Particles<D>& p, double time,
                                    std::array<Field, D>& out) const {
-  const auto n = static_cast<std::ptrdiff_t>(p.size());
   std::vector<double> q(walls_.size());
   for (std::size_t k = 0; k < walls_.size(); ++k)
     q[k] = motion_at(walls_[k].law, time).acceleration;
+  give_to_particles(p, q, out);
+}
+
+template <int D>
+void MovingWalls<D>::give_to_particles(const Particles<D>& p, const std::vector<double>& along,
+                                       std::array<Field, D>& out) const {
+  const auto n = static_cast<std::ptrdiff_t>(p.size());
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const std::size_t k = wall_of(p.id[i]);
     for (std::size_t a = 0; a < D; ++a)
-      out[a][i] = k == walls_.size() ? 0.0 : q[k] * walls_[k].direction[a];
+      out[a][i] = k == walls_.size() ? 0.0 : along[k] * walls_[k].direction[a];
   }
 }
 

@@ -30,6 +30,9 @@ class MovingWalls {
   [[nodiscard]] double step_limit(double time, double dt, double path) const;
 
  private:
+  /// What each wall has along its direction, to its particles; zero to all others.
+  void give_to_particles(const Particles<D>& p, const std::vector<double>& along,
+                         std::array<Field, D>& out) const;
   /// Which wall an id belongs to; walls_.size() where to none.
   [[nodiscard]] std::size_t wall_of(std::int32_t id) const;
 
