@@ -1,13 +1,16 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "foam_cases/foam_case.hpp"
 #include "foam_cases/size.hpp"
 #include "particle/support/bounds.hpp"
+#include "particle/support/command_line.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/file_size_limit.hpp"
 #include "particle/support/printable.hpp"
 #include "particle/support/version.hpp"
 
@@ -19,6 +22,8 @@ struct Arguments {
   std::vector<std::string> overrides;
   std::vector<std::string> settings;
   bool force = false;
+  bool json = false;
+  bool quiet = false;
 };
 
 void describe(const surge::foam::FoamCase& c) {
@@ -35,11 +40,20 @@ void describe(const surge::foam::FoamCase& c) {
   for (const std::string& note : surge::foam::notes_on(c)) std::cout << "note: " << note << '\n';
 }
 
+void check(const Arguments& arguments) {
+  const auto made =
+      surge::foam::read_foam_case(arguments.case_file, arguments.overrides, arguments.settings);
+  if (!arguments.json) return describe(made);
+  const nlohmann::json told{{"size", to_json(surge::foam::case_size(made))}};
+  std::cout << told.dump(2) << '\n';
+}
+
 void make(const Arguments& arguments) {
   const auto made =
       surge::foam::read_foam_case(arguments.case_file, arguments.overrides, arguments.settings);
   surge::foam::check_disk(surge::foam::case_size(made), arguments.folder);
   surge::foam::write_case(surge::foam::case_files(made), arguments.folder, arguments.force);
+  if (arguments.quiet) return;
   describe(made);
   std::cout << "written to " << surge::printable(arguments.folder) << "; run its Allrun\n";
 }
@@ -89,20 +103,20 @@ int run_program(int argc, char** argv) {
       ->required()
       ->type_name("DIR");
   make_command->add_flag("--force", arguments.force, "write over the case that the folder holds");
+  make_command->add_flag("--quiet", arguments.quiet, "print errors and nothing else");
   CLI::App* check_command =
       app.add_subcommand("check", "read and check a case file, and say what the mesh will be");
   with_case(check_command);
+  check_command->add_flag("--json", arguments.json, "print what the case will take as JSON");
   CLI::App* list_command = app.add_subcommand("list", "list the settings with their defaults");
   try {
-    app.parse(argc, argv);
+    if (!surge::parse_command_line(app, argc, argv)) return 0;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     throw surge::Error(std::string(error.what()) + " (surge-foam --help tells the usage)");
   }
   if (make_command->parsed()) make(arguments);
-  if (check_command->parsed())
-    describe(
-        surge::foam::read_foam_case(arguments.case_file, arguments.overrides, arguments.settings));
+  if (check_command->parsed()) check(arguments);
   if (list_command->parsed()) list();
   return 0;
 }
@@ -111,9 +125,10 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    surge::report_file_size_limit();
     return run_program(argc, argv);
   } catch (const std::exception& error) {
-    std::cerr << "surge-foam: " << surge::printable(error.what()) << '\n';
+    surge::print_error("surge-foam", surge::printable(error.what()));
     return 1;
   }
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "particle/case/scales.hpp"
 #include "particle/support/bounds.hpp"
@@ -44,6 +45,14 @@ CaseSize case_size(const FoamCase& c) {
   size.disk = size.frames * frame_bytes_per_cell * factor * size.cells +
               size.steps * (row_bytes + row_bytes_per_instrument * instruments);
   return size;
+}
+
+nlohmann::json to_json(const CaseSize& size) {
+  return {{"cells", size.cells},
+          {"frames", size.frames},
+          {"steps", size.steps},
+          {"memory_bytes", size.memory},
+          {"disk_bytes", size.disk}};
 }
 
 double available_memory() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "foam_cases/case_files.hpp"
@@ -16,6 +17,8 @@ struct CaseSize {
   double disk = 0.0;    ///< bytes
 };
 [[nodiscard]] CaseSize case_size(const FoamCase& c);
+
+[[nodiscard]] nlohmann::json to_json(const CaseSize& size);
 
 /// Bytes of memory of this machine, or of the control group that the process runs in.
 [[nodiscard]] double available_memory();

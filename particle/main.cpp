@@ -10,10 +10,15 @@
 
 #include "particle/case/case_keys.hpp"
 #include "particle/io/computation.hpp"
+#include "particle/io/new_case.hpp"
 #include "particle/io/presets.hpp"
 #include "particle/io/restart_error.hpp"
 #include "particle/io/run.hpp"
 #include "particle/io/run_size.hpp"
+#include "particle/support/command_line.hpp"
+#include "particle/support/file_size_limit.hpp"
+#include "particle/support/new_file.hpp"
+#include "particle/support/passive_waiting.hpp"
 #include "particle/support/printable.hpp"
 #include "particle/support/version.hpp"
 
@@ -25,6 +30,9 @@ struct Arguments {
   surge::RunOptions run;
   bool options = false;
   bool json = false;
+  bool quiet = false;
+  std::string new_file;
+  int dimension = 2;
 };
 
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
@@ -32,9 +40,9 @@ constexpr int exit_no_restart = 3;
 
 int run(const Arguments& arguments) {
   const auto computation = surge::read_computation(arguments.case_file, arguments.overrides);
-  for (const std::string& note : surge::notes_on(computation))
-    std::cout << "note: " << note << '\n';
-  const surge::RunEnd end = surge::run_case(computation, arguments.run, std::cout);
+  std::ostream out(arguments.quiet ? nullptr : std::cout.rdbuf());
+  for (const std::string& note : surge::notes_on(computation)) out << "note: " << note << '\n';
+  const surge::RunEnd end = surge::run_case(computation, arguments.run, out);
   return end == surge::RunEnd::interrupted ? exit_interrupted : 0;
 }
 
@@ -58,6 +66,13 @@ void check(const Arguments& arguments) {
             << "\n  disk        about " << surge::bytes_text(size.disk) << '\n';
   for (const std::string& note : surge::notes_on(computation))
     std::cout << "note: " << note << '\n';
+}
+
+void make_case(const Arguments& arguments) {
+  surge::write_new_file(arguments.new_file, surge::new_case_text(arguments.dimension));
+  if (arguments.new_file == "-") return;
+  const std::string name = surge::printable(arguments.new_file);
+  std::cout << "written to " << name << "; next: surge-particle check " << name << '\n';
 }
 
 void list_keys() {
@@ -135,6 +150,7 @@ int run_program(int argc, char** argv) {
       ->add_flag("--force", arguments.run.force,
                  "replace the run that DIR holds; without it none is overwritten")
       ->excludes(restart);
+  run_command->add_flag("--quiet", arguments.quiet, "print errors and nothing else");
   run_command->footer(
       "A run keeps a checkpoint every output.checkpoint seconds (600), and where Ctrl-C or SIGTERM "
       "stops it\nafter the present step; a second signal ends it at once.\n"
@@ -148,16 +164,27 @@ int run_program(int argc, char** argv) {
       app.add_subcommand("list", "list the presets, and the tables and keys of a case file");
   list_command->add_flag("--options", arguments.options,
                          "list every option of the methods as well");
+  CLI::App* new_command =
+      app.add_subcommand("new", "write a commented case file to start from, a small dam break");
+  new_command->add_option("file", arguments.new_file, "case file to write; - for standard output")
+      ->required()
+      ->type_name("CASE.toml");
+  new_command->add_option("--dimension", arguments.dimension, "2 or 3; 2 by default")
+      ->type_name("N");
   try {
-    app.parse(argc, argv);
+    if (!surge::parse_command_line(app, argc, argv)) return 0;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     throw surge::Error(std::string(error.what()) + " (surge-particle --help tells the usage)");
   }
-  arguments.run.terminal = isatty(STDOUT_FILENO) == 1;
-  if (run_command->parsed()) return run(arguments);
+  arguments.run.terminal = isatty(STDOUT_FILENO) == 1 && !arguments.quiet;
+  if (run_command->parsed()) {
+    if (arguments.run.threads > 1) surge::wait_passively(argv);
+    return run(arguments);
+  }
   if (check_command->parsed()) check(arguments);
   if (list_command->parsed()) list(arguments);
+  if (new_command->parsed()) make_case(arguments);
   return 0;
 }
 
@@ -165,12 +192,13 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    surge::report_file_size_limit();
     return run_program(argc, argv);
   } catch (const surge::RestartError& error) {
-    std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
+    surge::print_error("surge-particle", surge::printable(error.what()));
     return exit_no_restart;
   } catch (const std::exception& error) {
-    std::cerr << "surge-particle: " << surge::printable(error.what()) << '\n';
+    surge::print_error("surge-particle", surge::printable(error.what()));
     return 1;
   }
 }

@@ -1,16 +1,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
+#include "compare/commands/output.hpp"
 #include "compare/measure/measure_all.hpp"
 #include "compare/measure/measured_text.hpp"
 #include "compare/measure/registry.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/printable.hpp"
 
 namespace surge::compare {
 namespace {
@@ -34,8 +35,10 @@ class Files {
     options_ = arguments.files.get(paths_);
   }
   [[nodiscard]] Run open(const std::filesystem::path& path) const {
-    const auto found = std::find(paths_.begin(), paths_.end(), path);
-    return open_run(path, options_[static_cast<std::size_t>(found - paths_.begin())]);
+    const auto place = std::find(paths_.begin(), paths_.end(), path) - paths_.begin();
+    Run run = open_run(path, options_[static_cast<std::size_t>(place)]);
+    run.name = run_names(paths_)[static_cast<std::size_t>(place)];
+    return run;
   }
 
  private:
@@ -56,18 +59,6 @@ void list_observables() {
   }
 }
 
-/// Calls write(stream) on a file, or on the standard output for "-".
-void write_to(const std::string& file, const auto& write) {
-  if (file == "-") {
-    write(std::cout);
-    return;
-  }
-  std::ofstream out(file);
-  write(out);
-  out.flush();
-  if (!out) throw Error(file + ": found no way to write, expected a writable place");
-}
-
 MeasuredSource measure_source(Run run, const Arguments& arguments, const Run* reference) {
   const ObservableContext context{run, arguments.front.get(std::nullopt), reference};
   std::vector<std::unique_ptr<Observable>> observables;
@@ -79,7 +70,7 @@ MeasuredSource measure_source(Run run, const Arguments& arguments, const Run* re
   print_notices(run);
   for (const Findings& found : measured.findings)
     for (const std::string& notice : found.notices)
-      std::fprintf(stderr, "%s: notice: %s\n", run.name.c_str(), notice.c_str());
+      std::fprintf(stderr, "%s: notice: %s\n", run.name.c_str(), printable(notice).c_str());
   return measured;
 }
 
@@ -105,7 +96,7 @@ int run_measure(const Arguments& arguments) {
       if (!failure) continue;
       exit_code = exit_error;
       std::fprintf(stderr, "surge-compare: %s: %s: %s\n", measured.back().name.c_str(),
-                   arguments.observables[k].c_str(), failure->c_str());
+                   arguments.observables[k].c_str(), printable(*failure).c_str());
     }
   }
   if (!arguments.csv.empty())

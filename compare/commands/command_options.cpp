@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "particle/support/error.hpp"
+#include "particle/support/printable.hpp"
 
 namespace surge::compare {
 namespace {
@@ -50,12 +52,14 @@ bool may_concern(const std::string& key, const fs::path& source) {
 std::pair<std::size_t, std::string> addressed(const std::string& option, const std::string& key,
                                               const std::string& text,
                                               const std::vector<fs::path>& sources) {
+  const std::vector<std::string> distinct = run_names(sources);
   const auto sign = text.find('=');
   if (sign != std::string::npos && sign > 0) {
     const std::string name = text.substr(0, sign);
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      if (name != sources[i].string() && name != run_name(sources[i])) continue;
+      if (name != sources[i].string() && name != run_name(sources[i]) && name != distinct[i])
+        continue;
       if (found && sources[*found] != sources[i])
         throw Error(option + ": two sources are called \"" + name + "\", expected a path");
       found = i;
@@ -67,7 +71,7 @@ std::pair<std::size_t, std::string> addressed(const std::string& option, const s
   for (std::size_t i = 0; i < sources.size(); ++i) {
     if (!may_concern(key, sources[i])) continue;
     candidates.push_back(i);
-    names += (names.empty() ? "" : ", ") + run_name(sources[i]);
+    names += (names.empty() ? "" : ", ") + distinct[i];
   }
   // With one source there is no doubt, even if it refuses the option.
   if (candidates.empty() && sources.size() == 1) candidates.push_back(0);
@@ -93,12 +97,16 @@ void SourceArguments::add_to(CLI::App& app) {
   for (const SourceKey& key : source_keys()) add(key.name, key.help, key.list);
 }
 
-std::vector<SourceOptions> SourceArguments::get(const std::vector<fs::path>& sources) const {
-  std::vector<SourceOptions> options(sources.size());
+std::vector<SourceOptions> SourceArguments::get(const std::vector<fs::path>& sources,
+                                                std::vector<SourceOptions> options) const {
   // The map comes first, so that an option beside it changes one fact of it.
   for (const auto& given : given_) {
+    std::set<std::size_t> seen;
     for (const std::string& text : given->values) {
       const auto [index, value] = addressed(option_name(given->key), given->key, text, sources);
+      if (!seen.insert(index).second)
+        throw Error(option_name(given->key) + ": found twice for " + sources[index].string() +
+                    ", expected once");
       if (given->key == "map") {
         options[index] = read_source_map(value, options[index]);
         continue;
@@ -111,8 +119,8 @@ std::vector<SourceOptions> SourceArguments::get(const std::vector<fs::path>& sou
   return options;
 }
 
-SourceOptions SourceArguments::get(const fs::path& source) const {
-  return get(std::vector<fs::path>{source}).front();
+SourceOptions SourceArguments::get(const fs::path& source, const SourceOptions& before) const {
+  return get(std::vector<fs::path>{source}, std::vector<SourceOptions>{before}).front();
 }
 
 SourceOptions source_options(const StudyRun& run) {
@@ -137,24 +145,27 @@ SourceOptions source_options(const StudyRun& run) {
 }
 
 void FrontArguments::add_to(CLI::App& app) {
-  const std::string group = "Leading edge";
-  app.add_option("--strip-height", strip_height_,
-                 "only water up to this height above the floor counts, m [0.015]; particles: three "
-                 "spacings where that is more")
-      ->group(group);
-  app.add_option("--linking-length", options_.linking_length,
-                 "particles closer than this many spacings are connected")
-      ->capture_default_str()
-      ->group(group);
-  app.add_option(
-         "--bed-share", options_.bed_share,
-         "over water that lies in the tank: the front is where the water stands higher than "
-         "it by this share of the column above it")
+  const auto add = [&](CLI::Option* option) {
+    added_.push_back(option->group("Leading edge"));
+    return option;
+  };
+  add(app.add_option("--strip-height", strip_height_,
+                     "only water up to this height above the floor counts, m [0.015]; particles: "
+                     "three spacings where that is more"));
+  add(app.add_option("--linking-length", options_.linking_length,
+                     "particles closer than this many spacings are connected"))
+      ->capture_default_str();
+  add(app.add_option("--bed-share", options_.bed_share,
+                     "over water that lies in the tank: the front is where the water stands higher "
+                     "than it by this share of the column above it"))
       ->check(CLI::Range(0.001, 0.999))
-      ->capture_default_str()
-      ->group(group);
-  app.add_flag("--raw-maximum", options_.raw_maximum, "farthest water of all, drops included")
-      ->group(group);
+      ->capture_default_str();
+  add(app.add_flag("--raw-maximum", options_.raw_maximum, "farthest water of all, drops included"));
+}
+
+bool FrontArguments::given() const {
+  return std::any_of(added_.begin(), added_.end(),
+                     [](const CLI::Option* option) { return option->count() > 0; });
 }
 
 FrontOptions FrontArguments::get(const std::optional<Study>& study) const {
@@ -204,7 +215,12 @@ std::vector<fs::path> StudyArguments::runs(const std::optional<Study>& study) co
 }
 
 std::string StudyArguments::reference(const std::optional<Study>& study) const {
-  return study ? study->reference : run_name(reference_);
+  if (study) return study->reference;
+  const std::vector<fs::path> sources = runs(study);
+  const auto found = std::find_if(sources.begin(), sources.end(), [&](const fs::path& source) {
+    return source.lexically_normal() == fs::path(reference_).lexically_normal();
+  });
+  return run_names(sources)[static_cast<std::size_t>(found - sources.begin())];
 }
 
 std::vector<PublishedSeries> StudyArguments::published(const std::optional<Study>& study) const {
@@ -219,7 +235,7 @@ std::vector<PublishedSeries> StudyArguments::published(const std::optional<Study
 
 void print_notices(const Run& run) {
   for (const std::string& notice : run.notices)
-    std::fprintf(stderr, "%s: notice: %s\n", run.name.c_str(), notice.c_str());
+    std::fprintf(stderr, "%s: notice: %s\n", run.name.c_str(), printable(notice).c_str());
 }
 
 }  // namespace surge::compare

@@ -22,13 +22,19 @@ class SourceArguments {
   void add_to(CLI::App& app);
   /// The options of each source, in their order. A value without a name belongs to the only source
   /// that can take it: one without a manifest.json, for --alpha-array an OpenFOAM case. Throws
-  /// surge::Error for a number that cannot be, for a name that no source has, and for a value
-  /// without a name where several sources could be meant.
+  /// surge::Error for a number that cannot be, for a name that no source has, for a value without a
+  /// name where several sources could be meant, and for one that is given twice for a source.
   [[nodiscard]] std::vector<SourceOptions> get(
-      const std::vector<std::filesystem::path>& sources) const;
-  [[nodiscard]] SourceOptions get(const std::filesystem::path& source) const;
+      const std::vector<std::filesystem::path>& sources) const {
+    return get(sources, std::vector<SourceOptions>(sources.size()));
+  }
+  /// Of one source; what is said goes over what `before` has.
+  [[nodiscard]] SourceOptions get(const std::filesystem::path& source,
+                                  const SourceOptions& before = {}) const;
 
  private:
+  [[nodiscard]] std::vector<SourceOptions> get(const std::vector<std::filesystem::path>& sources,
+                                               std::vector<SourceOptions> options) const;
   struct Given {
     std::string key;
     std::vector<std::string> values;
@@ -54,10 +60,13 @@ class FrontArguments {
   void add_to(CLI::App& app);
   /// With a study, its strip height; both at once is an error.
   [[nodiscard]] FrontOptions get(const std::optional<Study>& study) const;
+  /// Whether anything was said.
+  [[nodiscard]] bool given() const;
 
  private:
   std::optional<double> strip_height_;
   FrontOptions options_;
+  std::vector<const CLI::Option*> added_;
 };
 
 /// Runs and published series of a comparison: named one by one, or those of a study.

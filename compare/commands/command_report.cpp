@@ -9,6 +9,8 @@
 #include "compare/report/report.hpp"
 #include "compare/report/swap.hpp"
 #include "compare/study/run_fault.hpp"
+#include "particle/support/error.hpp"
+#include "particle/support/printable.hpp"
 #include "particle/support/write_error.hpp"
 
 namespace surge::compare {
@@ -24,6 +26,7 @@ struct Arguments {
   std::string series;
   std::string programs;
   std::string figure;
+  bool quiet = false;
 };
 
 /// Options that say what is to be shown; the three commands share them.
@@ -57,9 +60,15 @@ void make_of_study(const Arguments& arguments,
 }
 
 void draw_and_say(const Figure& figure, const fs::path& folder) {
+  if (!figure.missing.empty()) {
+    std::printf("%s: not drawn: %s\n", figure.name.c_str(),
+                printable_lines(figure.missing).c_str());
+    return;
+  }
   const std::string warnings = draw(figure, folder);
   if (!warnings.empty()) {
-    std::fprintf(stderr, "surge-compare: %s: %s", figure.name.c_str(), warnings.c_str());
+    std::fprintf(stderr, "surge-compare: %s: %s", figure.name.c_str(),
+                 printable_lines(warnings).c_str());
   }
   std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
 }
@@ -74,8 +83,10 @@ void run_report(const Arguments& arguments, const StudyResult& study) {
     summary.close();
     if (!summary) throw write_error(folder / "summary.txt");
   });
-  if (!warnings.empty()) std::fprintf(stderr, "surge-compare: %s", warnings.c_str());
-  std::printf("%s\nreport: %s\n", table.c_str(),
+  if (!warnings.empty())
+    std::fprintf(stderr, "surge-compare: %s", printable_lines(warnings).c_str());
+  if (arguments.quiet) return;
+  std::printf("%s\nreport: %s\n", printable_lines(table).c_str(),
               fs::absolute(fs::path(arguments.out) / "index.html").lexically_normal().c_str());
 }
 
@@ -103,7 +114,10 @@ void add_figure_command(CLI::App& app) {
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
     make_of_study(*arguments, [&](const StudyResult& study) {
-      draw_and_say(figure_of(study, arguments->figure), arguments->out);
+      const Figure figure = figure_of(study, arguments->figure);
+      if (!figure.missing.empty())
+        throw Error("figure " + arguments->figure + ": nothing to draw: " + figure.missing);
+      draw_and_say(figure, arguments->out);
     });
   });
 }
@@ -113,6 +127,8 @@ void add_report_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Writes index.html, metrics.json and figures of a study");
   add_study_options(*command, *arguments, "report");
+  command->add_flag("--quiet", arguments->quiet,
+                    "print nothing but warnings; the table is in summary.txt");
   command->footer(
       "Example:\n"
       "  surge-compare report --study compare/studies/dam_break.toml --runs runs --out report");

@@ -11,11 +11,13 @@ enum ExitCode : int { exit_success = 0, exit_error = 1, exit_check_failed = 2, e
 /// exit_code, it stores in it what main returns.
 void add_front_command(CLI::App& app);
 void add_measure_command(CLI::App& app, int& exit_code);
-void add_metrics_command(CLI::App& app);
+void add_metrics_command(CLI::App& app, int& exit_code);
 void add_figure_command(CLI::App& app);
 void add_figures_command(CLI::App& app);
 void add_report_command(CLI::App& app);
 void add_study_command(CLI::App& app);
+void add_new_study_command(CLI::App& app);
+void add_plot_command(CLI::App& app);
 void add_check_command(CLI::App& app, int& exit_code);
 
 }  // namespace surge::compare

@@ -94,7 +94,8 @@ Figure flowchart(const StudyResult& study, const std::string& method, const std:
   figure.caption = "Made from the source of " + sheet.step +
                    ": every function that it calls with the options of " + from->run->label() +
                    ", in that order, with the comment on it. The box of a function names its "
-                   "equations in the paper.";
+                   "equations" +
+                   (study.judges_paper() ? " in the paper." : ", as its source does.");
   Table table{name, {"order", "function", "does", "equations"}, {}};
   Flowchart chart;
   chart.box("Particles, walls, first neighbours", sheet.start, "", true);

@@ -61,15 +61,19 @@ struct Range {
     const double margin = 0.1 * std::max(most - least, 1e-6);
     return "[" + plot_number(least - margin) + ":" + plot_number(most + margin) + "]";
   }
-  [[nodiscard]] std::string logarithmic() const {
-    return "[" + plot_number(least / 1.6) + ":" + plot_number(1.6 * most) + "]";
-  }
 };
 
-Figure sequence_figure(const json& sequences) {
+Figure sequence_figure(const StudyResult& study, const json& sequences) {
+  const double drawn_time = 2.0;  // T of drawn_quantity
+  const Scales scales = study.reference_run().run.physics.scales();
+  const std::string moment =
+      study.judges_paper()
+          ? std::string("T = 2")
+          : "t = " + fixed_text(scales.dimensional(DimensionlessTime(drawn_time)).value(), 3) +
+                " s";
   Figure figure;
   figure.name = "convergence";
-  figure.title = "Leading edge at T = 2 over the spacing";
+  figure.title = "Leading edge at " + moment + " over the spacing";
   figure.height_mm = 80.0;
   Table table{figure.name, {"sequence", "kind", "spacing_mm", "Z_over_L"}, {}};
   const auto styles = styles_of(sequences);
@@ -114,75 +118,10 @@ Figure sequence_figure(const json& sequences) {
       "the value is a guess; none where the levels diverge. The coarsest levels may lie outside.";
   figure.script =
       "set key below left Left reverse maxcols 2\nset xlabel \"spacing or cell, mm\" offset 0,0.4\n"
-      "set ylabel \"Z/L at T = 2\"\n"
-      "set xrange [-1.8:*]\nset xtics 0,5\nset yrange " +
-      shown.linear() +
+      "set ylabel \"Z/L at " +
+      moment + "\"\nset xrange [-1.8:*]\nset xtics 0,5\nset yrange " + shown.linear() +
       "\nset arrow 1 from 0, graph 0 to 0, graph 1 nohead lw 0.6 lc rgb \"#808080\"\n" +
       joined(plots);
-  return figure;
-}
-
-Figure cost_and_error_figure(const json& sequences, const json& pareto) {
-  Figure figure;
-  figure.name = "convergence_cost";
-  figure.title = "Error of the leading edge over the cost";
-  figure.height_mm = 85.0;
-  Table table{figure.name, {"sequence", "kind", "wall_s", "rms", "threads"}, {}};
-  const auto styles = styles_of(sequences);
-  // Rows of a curve stand together, or its line would be broken.
-  Range seconds, errors;
-  for (const auto& [label, style] : styles) {
-    for (const bool parallel : {false, true}) {
-      for (const json& point : pareto["points"]) {
-        const double threads = point["threads"], s = point["wall_s"], e = point["rms"];
-        if (point["sequence"] != label || (threads > 1.0) != parallel) continue;
-        table.add({label, parallel ? "more" : "one", s, e, threads});
-        seconds.add(s);
-        if (e > 0.0) errors.add(e);
-      }
-    }
-  }
-  for (const json& point : pareto["points"]) {
-    if (point["threads"] == 1 && point["front"].get<bool>())
-      table.add(
-          {"unbeaten", "one", point["wall_s"].get<double>(), point["rms"].get<double>(), 1.0});
-  }
-  std::vector<std::string> plots{filter(figure.name, "unbeaten", "one", "wall_s", "rms") +
-                                 " with steps lw 4 lc rgb \"#d0d0d0\" title \"Pareto front\""};
-  const auto has_rows = [&](const std::string& label, const std::string& kind) {
-    return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-      return std::get<std::string>(row[0]) == label && std::get<std::string>(row[1]) == kind;
-    });
-  };
-  for (const auto& [label, style] : styles) {
-    if (!has_rows(label, "one")) continue;
-    plots.push_back(filter(figure.name, label, "one", "wall_s", "rms") + " with linespoints " +
-                    look(style, 0.5) + " title " + plot_string(label));
-  }
-  bool titled = false;
-  for (const auto& [label, style] : styles) {
-    if (!has_rows(label, "more")) continue;
-    plots.push_back(filter(figure.name, label, "more", "wall_s", "rms") + " with points pt 2 ps " +
-                    "0.6 lw 1.2 lc rgb \"" + style.colour.hex() + "\"" +
-                    (titled ? " notitle" : " title \"more threads\""));
-    titled = true;
-  }
-  figure.tables.push_back(std::move(table));
-  figure.caption = "RMS of Z/L against " + pareto["against"].get<std::string>() +
-                   ", up to the far wall, over the solving time of a run to shortly after the "
-                   "impact. What errors VOF’s levels have in common does not show.";
-  figure.script =
-      "set key below left Left reverse maxcols 2\nset logscale xy\n"
-      "set xlabel \"solving time, s\" offset 0,0.4\n"
-      "set ylabel \"RMS of Z/L\"\nset xrange " +
-      seconds.logarithmic() + "\nset yrange " + errors.logarithmic() + "\n";
-  if (pareto["reference_u"].is_number()) {
-    figure.caption += " Below the dashed line is the standard uncertainty of that run itself.";
-    const std::string u = plot_number(pareto["reference_u"].get<double>());
-    figure.script += "set arrow 1 from graph 0, first " + u + " to graph 1, first " + u +
-                     " nohead lw 0.8 dt '_' lc rgb \"#808080\"\n";
-  }
-  figure.script += joined(plots);
   return figure;
 }
 
@@ -193,10 +132,7 @@ std::vector<Figure> convergence_figures(const StudyResult& study) {
   measure_convergence(study, metrics);
   if (metrics["convergence"].empty()) return {};
   const json& sequences = metrics["convergence"]["sequences"];
-  std::vector<Figure> figures{sequence_figure(sequences)};
-  if (!metrics["pareto"]["points"].empty())
-    figures.push_back(cost_and_error_figure(sequences, metrics["pareto"]));
-  return figures;
+  return {sequence_figure(study, sequences)};
 }
 
 }  // namespace surge::compare

@@ -107,7 +107,8 @@ Figure cost_figure(const StudyResult& study) {
   Table table = cost_table(curves);
   if (table.rows.empty()) {
     return empty_figure(figure.name, figure.title,
-                        "This study has no timed runs; the full study has.");
+                        "This study has no timed runs. Its figure is made by ./Allrun --study "
+                        "compare/studies/timing.toml, which times both methods at many sizes.");
   }
   figure.tables.push_back(std::move(table));
   figure.caption =

@@ -21,8 +21,13 @@ namespace surge::compare {
 [[nodiscard]] Figure kernel_figure(const StudyResult& study);
 /// Fig. 6: the geometry with its dimensions, from what the reference run says it computed.
 [[nodiscard]] Figure geometry_figure(const StudyResult& study);
+/// The set-up of any other case: tank, water, obstacles, walls that move, probes and gauges; in 3D
+/// from the side and from above.
+[[nodiscard]] Figure setup_figure(const StudyResult& study);
 /// Fig. 7: the runs side by side at the study's snapshot times.
 [[nodiscard]] Figure snapshot_figure(const StudyResult& study);
+/// The free surfaces of all runs, a panel for each of the study's snapshot times.
+[[nodiscard]] Figure surface_figure(const StudyResult& study);
 /// Overlap with the reference and detached water over time, with the effect of the linking length.
 [[nodiscard]] Figure pattern_figure(const StudyResult& study);
 /// Fig. 8: Z/L over T, published series as measured, and the difference to the reference.
@@ -45,15 +50,19 @@ namespace surge::compare {
 /// reference has no probe there.
 [[nodiscard]] std::vector<Figure> wall_pressure_figures(const StudyResult& study);
 
-/// Z/L over the spacing with the extrapolated values, and error over cost; none where the study has
-/// no runs of role convergence.
+/// Z/L over the spacing with the extrapolated values; none where the study has no runs of role
+/// convergence.
 [[nodiscard]] std::vector<Figure> convergence_figures(const StudyResult& study);
+
+/// One for each curve of each observable, with all runs, references and their uncertainty.
+[[nodiscard]] std::vector<Figure> observable_figures(const StudyResult& study);
 
 /// One entry of the catalogue.
 struct FigureDefinition {
   std::string name;  ///< "fig8"; its files', and `surge-compare figure 8` finds it
   std::string word;  ///< another name, for those who do not know the paper's numbers
   Figure (*make)(const StudyResult&);
+  bool needs_front = false;  ///< shows the leading edge
 };
 
 /// All figures in the order of the paper.

@@ -99,6 +99,7 @@ std::string gravity(const Drawing& d, const Physics& physics) {
 }  // namespace
 
 Figure geometry_figure(const StudyResult& study) {
+  if (!study.judges_paper()) return setup_figure(study);
   const Run& run = study.reference_run().run;
   const Drawing d = drawing_of(run.physics);
   const double gap = 0.18 * d.length;

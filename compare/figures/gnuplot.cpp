@@ -44,6 +44,7 @@ set bars 0.4
 }  // namespace
 
 std::string draw(const Figure& figure, const fs::path& folder) {
+  if (!figure.missing.empty()) return "";
   fs::create_directories(folder);
   for (const auto& table : figure.tables) write_csv(table, folder);
   for (const auto& [name, image] : figure.images) image.write_png(folder / (name + ".png"));

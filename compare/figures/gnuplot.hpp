@@ -13,6 +13,16 @@ namespace surge::compare {
 inline constexpr double single_column_mm = 84.0;
 inline constexpr double double_column_mm = 174.0;
 
+/// A curve of a figure for a page that draws it again: the rows of a table whose first entry is
+/// `key`, in their order.
+struct PlottedCurve {
+  std::string table, key;
+  std::string x, y;  ///< columns
+  std::string label;
+  std::string colour;   ///< #rrggbb
+  bool points = false;  ///< markers without a line
+};
+
 /// A figure before it is drawn. The script holds only what is particular to it: terminal, fonts,
 /// axes and grid come from draw(), so that all figures look alike.
 struct Figure {
@@ -24,11 +34,16 @@ struct Figure {
   std::string script;         ///< gnuplot commands; data files are named relative to the folder
   std::vector<Table> tables;  ///< written as CSV before gnuplot runs
   std::vector<NamedImage> images;  ///< written as PNG before gnuplot runs
+  /// Why there is nothing to draw; then no file is written.
+  std::string missing{};
+  /// What a reader can look at closely, with the words at its axes; empty where there is no such.
+  std::vector<PlottedCurve> curves{};
+  std::string x_label{}, y_label{};
 };
 
 /// Writes NAME.gp, NAME.svg, NAME.pdf and the tables into the folder. `gnuplot NAME.gp` there
 /// draws it again. Returns gnuplot's warnings, empty where there are none; throws Error with its
-/// message where it fails or is not installed.
+/// message where it fails or is not installed. Of a figure with nothing to draw no file is written.
 [[nodiscard]] std::string draw(const Figure& figure, const std::filesystem::path& folder);
 
 /// Text as a gnuplot string in double quotes, characters as they are.

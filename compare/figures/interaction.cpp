@@ -44,14 +44,13 @@ std::string circle(double radius, const std::string& dash) {
          "*sin($1)) with lines lw 1.4 lc rgb \"#202020\" dt " + dash;
 }
 
-/// A line from the particle to a circle with the radius beside it.
+/// A line from the particle to a circle with the radius on it, where the picture has room for it.
 std::string radius_arrow(double radius, double degrees, const std::string& text) {
   const double angle = degrees * std::acos(-1.0) / 180.0;
   const double x = radius * std::cos(angle), y = radius * std::sin(angle);
   return "set arrow from 0,0 to " + plot_number(x) + "," + plot_number(y) +
          " front head size 0.25,20 filled lw 1 lc rgb \"#202020\"\nset label \"" + text + "\" at " +
-         plot_number(1.04 * x) + "," + plot_number(1.04 * y) + (x > 0 ? " left" : " right") +
-         " front boxed\n";
+         plot_number(0.55 * x) + "," + plot_number(0.55 * y) + " center front boxed\n";
 }
 
 }  // namespace
@@ -113,7 +112,11 @@ Figure interaction_figure(const StudyResult& study) {
                    "): the fluid particle nearest to the centre of mass of the water (orange), and "
                    "the particles within ";
   Table table{"fig2", {"x_over_l0", "y_over_l0", "distance_over_l0", "ring"}, {}};
+  const bool in_space = found->run->measured->run.physics.dimension == 3;
   for (const auto& p : found->points) {
+    // In 3D the layer that the particle lies in: all others would hide it.
+    const double aside = p.distance * p.distance - p.x * p.x - p.y * p.y;
+    if (in_space && aside > 0.25) continue;
     // 0 the particle, 1 within the smallest radius, and so on; the last is outside of all.
     double ring = p.distance > 0.0 ? 1.0 : 0.0;
     for (const double radius : radii) ring += ring > 0.0 && p.distance >= radius ? 1.0 : 0.0;
@@ -140,6 +143,8 @@ Figure interaction_figure(const StudyResult& study) {
         (k + 1 == radii.size() ? "" : " and ") + fixed_text(radii[k], 1) + " l0 (" + text + ")";
   }
   figure.caption += ". Particles are discs of diameter l0.";
+  if (in_space)
+    figure.caption += " Of the water in three dimensions one layer is drawn; all neighbours count.";
   script << "plot ";
   const auto rings = static_cast<int>(radii.size()) + 1;
   for (int ring = rings; ring >= 0; --ring) {

@@ -35,7 +35,7 @@ std::string radius_mark(double radius, const std::string& place, double height,
                         const LineStyle& style, const std::string& use) {
   return vertical(radius, style) + "set label \"{/:Italic r_e} = " + radius_text(radius) + "\\n" +
          use + "\" at first " + plot_number(radius) + ",graph " + plot_number(height) + " " +
-         place + " textcolor rgb \"" + style.colour.hex() + "\"\n";
+         place + " textcolor rgb \"" + readable(style.colour).hex() + "\"\n";
 }
 
 }  // namespace
@@ -69,8 +69,10 @@ Figure weight_figure(const StudyResult& study) {
   script << "set xlabel \"{/:Italic r}/{/:Italic l}_0\"\nset ylabel \"{/:Italic w}\"\n"
          << "set xrange [0:" << plot_number(1.08 * laplacian.support / l0) << "]\n"
          << "set yrange [0:6]\nset xtics 1\nset ytics 1\nunset key\n"
-         << radius_mark(gradient.support / l0, "left offset 0.8", 0.94, run_style(0),
-                        "number density,\\ngradient")
+         << radius_mark(gradient.support / l0,
+                        gradient.support < 0.6 * laplacian.support ? "left offset 0.8"
+                                                                   : "right offset -0.8",
+                        0.94, run_style(0), "number density,\\ngradient")
          << radius_mark(laplacian.support / l0, "right offset -0.8", 0.62, run_style(1),
                         "Laplacian")
          << "plot " << of("w") << " with lines " << line_spec(run_style(0), 1.8)

@@ -3,10 +3,16 @@
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
+#include "compare/study/sequences.hpp"
+#include "compare/study/verdict.hpp"
 
 namespace surge::compare {
 
 namespace {
+
+/// Of the differences: what the runs that agree stay within, so that their differences can be seen.
+constexpr double near_limit = 0.06;
+constexpr double reference_width = 0.8, run_width = 1.3;
 
 struct Curve {
   const RunResult* run;
@@ -136,10 +142,32 @@ std::string joined(const std::vector<std::string>& plots) {
   return text + "\n";
 }
 
-/// Published series first, so that the computed curves lie over them.
+/// The reference's front with its 95 % interval; no rows where refining it does not say one.
+Table band_table(const std::string& name, const StudyResult& study) {
+  Table table{name + "_band", {"T", "low", "high"}, {}};
+  const auto u = front_uncertainty(study, study.reference());
+  if (!u) return table;
+  for (const auto& sample : study.reference_run().front.samples)
+    table.add({sample.time.value(), sample.position.value() - coverage * *u,
+               sample.position.value() + coverage * *u});
+  return table;
+}
+
+constexpr const char* band_style = "fs transparent solid 0.25 noborder fc rgb \"#707070\"";
+
+/// The reference with its band and the published series first, so that the runs lie over them.
 std::string plots_of(const std::string& file, const StudyResult& study,
                      const std::vector<Curve>& curves, const std::vector<double>& shifts) {
   std::vector<std::string> plots;
+  if (front_uncertainty(study, study.reference()))
+    plots.push_back("\"" + file + "_band.csv\" using 1:2:3 with filledcurves " + band_style +
+                    " title \"95 % interval of the reference\"");
+  const auto add_curve = [&](const Curve& curve, double width) {
+    plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
+                    line_spec(curve.style, width) + " title " + plot_string(curve.label));
+  };
+  for (const auto& curve : curves)
+    if (curve.run == &study.reference()) add_curve(curve, reference_width);
   for (std::size_t i = 0; i < study.published.size(); ++i) {
     const PublishedSeries& series = study.published[i];
     const bool bars = series.position_uncertainty.value() > 0.0;
@@ -149,11 +177,8 @@ std::string plots_of(const std::string& file, const StudyResult& study,
         point_spec(published_style(i), 0.45) + " title " +
         plot_string(series_label(series, shifts[i])));
   }
-  for (const auto& curve : curves) {
-    plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
-                    line_spec(curve.style, curve.run == &study.reference() ? 1.6 : 1.3) +
-                    " title " + plot_string(curve.label));
-  }
+  for (const auto& curve : curves)
+    if (curve.run != &study.reference()) add_curve(curve, run_width);
   return joined(plots);
 }
 
@@ -182,26 +207,35 @@ double tic_step(double limit) {
   return step;
 }
 
-std::string lower_panel(const Table& differences, const StudyResult& study,
-                        const std::vector<Curve>& curves) {
-  const std::string& file = differences.name;
-  double limit = 0.05;
-  for (const auto& row : differences.rows) {
-    limit = std::max(limit, 1.1 * std::abs(std::get<double>(row[2])));
+/// The largest difference of a run; zero where it has none.
+double farthest(const Table& differences, const Curve& curve) {
+  double most = 0.0;
+  for (const auto& row : differences.rows)
+    if (std::get<std::string>(row[0]) == curve.key())
+      most = std::max(most, std::abs(std::get<double>(row[2])));
+  return most;
+}
+
+/// Differences up to a limit, of these runs.
+std::string difference_panel(const Table& differences, const StudyResult& study,
+                             const std::vector<Curve>& curves, double limit, bool last) {
+  std::string script = "unset object\n" + window_mark(study, "graph 0", "graph 1");
+  const auto u = front_uncertainty(study, study.reference());
+  if (u) {
+    const std::string half = plot_number(std::min(coverage * *u, limit));
+    script += "set object 1 rectangle from graph 0, first -" + half + " to graph 1, first " + half +
+              " behind " + band_style + "\n";
   }
-  std::string script = window_mark(study, "graph 0", "graph 1");
-  script +=
-      "set format x \"%g\"\nset yrange [-" + fixed_text(limit, 3) + ":" + fixed_text(limit, 3) +
-      "]\nset ytics " + fixed_text(tic_step(limit), 6) +
-      "\nset key off\n"
-      "set xlabel \"{/:Italic T} = {/:Italic t} √(2{/:Italic g}/{/:Italic L})\" offset 0,0.4\n"
-      "set ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
-  std::vector<std::string> plots{"0 " + line_spec(reference_style(), 1.0)};
-  for (const auto& curve : curves) {
-    if (curve.run == &study.reference()) continue;
-    plots.push_back(filtered(file, curve.key(), "T", "dZ_over_L") + " with lines " +
-                    line_spec(curve.style, 1.3));
-  }
+  script += std::string(last ? "set format x \"%g\"\nset xlabel \"{/:Italic T} = {/:Italic t} "
+                               "√(2{/:Italic g}/{/:Italic L})\" offset 0,0.4\n"
+                             : "set format x \"\"\nunset xlabel\n") +
+            "set yrange [-" + fixed_text(limit, 3) + ":" + fixed_text(limit, 3) + "]\nset ytics " +
+            fixed_text(tic_step(limit), 6) +
+            "\nset key off\nset ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
+  std::vector<std::string> plots{"0 " + line_spec(reference_style(), reference_width)};
+  for (const auto& curve : curves)
+    plots.push_back(filtered(differences.name, curve.key(), "T", "dZ_over_L") + " with lines " +
+                    line_spec(curve.style, run_width));
   return script + joined(plots);
 }
 
@@ -211,23 +245,69 @@ std::string panel_margins(double top, double bottom, double height) {
          fixed_text(1.0 - bottom / height, 4) + "\n";
 }
 
+/// For a closer look: the published series as they are shown, and the runs.
+void add_plotted(Figure& figure, const StudyResult& study, const std::vector<Curve>& curves,
+                 const std::vector<double>& shifts) {
+  for (const auto& curve : curves)
+    figure.curves.push_back(
+        {figure.name, curve.key(), "T", "Z_over_L", curve.label, curve.style.colour.hex()});
+  for (std::size_t i = 0; i < study.published.size(); ++i)
+    figure.curves.push_back({figure.name, study.published[i].name, "T", "Z_over_L",
+                             series_label(study.published[i], shifts[i]),
+                             published_style(i).colour.hex(), true});
+  figure.x_label = "T = t √(2g/L)";
+  figure.y_label = "Z/L";
+}
+
 Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   const auto curves = curves_of(study);
   const auto shifts = shifts_of(study, shifted);
   Figure figure;
   figure.name = name;
-  figure.height_mm = 96.5 + 3.9 * static_cast<double>(curves.size() + study.published.size());
   figure.tables.push_back(front_table(name, study, curves, shifts));
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
-  const std::string legend = fixed_text(1.0 - 94.5 / figure.height_mm, 4);
+  const Table differences = figure.tables.back();
+  Table band = band_table(name, study);
+  const bool has_band = !band.rows.empty();
+  if (has_band) figure.tables.push_back(std::move(band));
+  // Those that leave the panel of small differences have one of their own.
+  std::vector<Curve> others, far;
+  double limit = near_limit;
+  for (const Curve& curve : curves) {
+    if (curve.run == &study.reference()) continue;
+    others.push_back(curve);
+    const double most = farthest(differences, curve);
+    if (most > near_limit) far.push_back(curve);
+    limit = std::max(limit, 1.1 * most);
+  }
+  const double end = far.empty() ? 84.0 : 108.0;
+  const std::size_t lines = curves.size() + study.published.size() + (has_band ? 1 : 0);
+  figure.height_mm = end + 12.5 + 3.9 * static_cast<double>(lines);
+  const std::string legend = fixed_text(1.0 - (end + 10.5) / figure.height_mm, 4);
   figure.script =
       "set multiplot\nset lmargin at screen 0.175\nset rmargin at screen 0.97\n"
       "set key at screen 0.05," +
       legend + " left top vertical maxcols 1 Left reverse\n" +
       panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(name, study, curves, shifts) +
       panel_margins(59.0, 84.0, figure.height_mm) +
-      lower_panel(figure.tables.back(), study, curves) + "unset multiplot\n";
+      difference_panel(differences, study, others, near_limit, far.empty());
+  if (!far.empty())
+    figure.script += panel_margins(87.0, 108.0, figure.height_mm) +
+                     difference_panel(differences, study, far, limit, true);
+  figure.script += "unset multiplot\n";
+  add_plotted(figure, study, curves, shifts);
   return figure;
+}
+
+/// What the panels below show.
+std::string caption_of_differences(const StudyResult& study) {
+  std::string text = " Below: difference to the reference " + study.reference().label() +
+                     ", inside the window that both runs share before the far wall; runs that "
+                     "differ by more than " +
+                     fixed_text(near_limit, 2) + " have a panel of their own.";
+  if (front_uncertainty(study, study.reference()))
+    text += " Grey band: 95 % interval of the reference, from its refinement.";
+  return text;
 }
 
 }  // namespace
@@ -237,8 +317,8 @@ Figure leading_edge_figure(const StudyResult& study) {
   figure.title = "Fig. 8. Motion of the leading edge";
   figure.caption =
       "Leading edge Z/L over T. Lines: computed; markers: published series as printed, with the "
-      "uncertainty of the experiments as bars. Below: difference to the reference " +
-      study.reference().label() + ", inside the window that both runs share before the far wall.";
+      "uncertainty of the experiments as bars." +
+      caption_of_differences(study);
   return figure;
 }
 

@@ -21,10 +21,7 @@ Figure empty_figure(const std::string& name, const std::string& title, const std
   figure.name = name;
   figure.title = title;
   figure.caption = why;
-  figure.height_mm = 20.0;
-  figure.script = "unset border\nunset tics\nset label 1 " + plot_label(why) +
-                  " at graph 0.5,0.5 center font \",6\"\nset xrange [0:1]\nset yrange [0:1]\n"
-                  "plot 1/0 notitle\n";
+  figure.missing = why;
   return figure;
 }
 

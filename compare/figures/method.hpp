@@ -18,7 +18,7 @@ struct SheetRun {
 [[nodiscard]] std::optional<SheetRun> sheet_run(const StudyResult& study,
                                                 const std::string& method);
 
-/// A figure that says why there is nothing to draw.
+/// A figure of which there is nothing to draw, and why.
 [[nodiscard]] Figure empty_figure(const std::string& name, const std::string& title,
                                   const std::string& why);
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/figures/figures.hpp"
+#include "compare/figures/solids.hpp"
 #include "compare/figures/water.hpp"
 
 namespace surge::compare {
@@ -15,6 +16,7 @@ struct Panel {
   const RunResult* run = nullptr;
   Seconds time;  ///< of the frame
   WaterPicture water;
+  Solids solids{};
   std::string missing;  ///< why there is no picture; empty where there is one
 };
 
@@ -49,6 +51,7 @@ Panel make_panel(const RunResult& run, Seconds time) {
     return panel;
   }
   panel.time = frames.times()[*index];
+  panel.solids = solids_of(run.measured->run);
   panel.water = water_picture(frames.read(*index, {.pressure = true}), run.measured->run);
   return panel;
 }
@@ -100,6 +103,19 @@ std::string panel_plot(const Panel& panel, const std::string& image, double pixe
             "with vectors nohead lw 0.9 lc rgb \"#d55e00\" notitle";
   }
   return plot + "\n";
+}
+
+/// Obstacles, and the walls that move where they are then.
+std::string solid_objects(const Panel& panel) {
+  std::string text;
+  const auto add = [&](const Rectangle& box, const char* colour) {
+    text += "set object rectangle from " + plot_number(box.x0) + "," + plot_number(box.y0) +
+            " to " + plot_number(box.x1) + "," + plot_number(box.y1) + " front fc rgb \"" + colour +
+            "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
+  };
+  for (const Rectangle& box : panel.solids.obstacles) add(box, "#8a8a8a");
+  for (const Solids::MovingWall& wall : panel.solids.walls) add(wall.at(panel.time), "#e69f00");
+  return text;
 }
 
 /// On a line above panel_label(): six columns leave no room for both side by side.
@@ -207,8 +223,9 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout
       script += "set label 4 " + plot_label(two_lines(panel.run->label())) +
                 " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
     }
-    script += panel_label(panel, row) + panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
-              "unset label\n";
+    script += solid_objects(panel) + panel_label(panel, row) +
+              panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
+              "unset label\nunset object\n";
   }
   return script;
 }
@@ -248,6 +265,13 @@ Figure snapshot_figure(const StudyResult& study) {
       "fraction "
       "and the line is alpha = 0.5. Each row is as high as the lowest 97 % of the water need; what "
       "is above is stated over the panel.";
+  const bool has_noise = std::any_of(study.runs.begin(), study.runs.end(), [](const auto& run) {
+    return run.measured && !run.measured->run.is_mesh() && run.measured->run.preset == "paper";
+  });
+  if (has_noise)
+    figure.caption +=
+        " All runs share the one scale. The presets “paper” have noisy pressure: single bright and "
+        "dark particles are the method’s noise, and not waves in the water.";
   figure.width_mm = double_column_mm;
   figure.height_mm = layout.height;
   figure.script =

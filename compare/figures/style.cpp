@@ -20,6 +20,13 @@ constexpr std::array<Colour, 9> viridis_anchors{{{0x44, 0x01, 0x54},
                                                  {0xaa, 0xdc, 0x32},
                                                  {0xfd, 0xe7, 0x25}}};
 
+Colour darker(const Colour& colour, double part) {
+  const auto scaled = [part](std::uint8_t value) {
+    return static_cast<std::uint8_t>(std::lround(part * value));
+  };
+  return {scaled(colour.red), scaled(colour.green), scaled(colour.blue)};
+}
+
 }  // namespace
 
 std::string Colour::hex() const {
@@ -42,16 +49,44 @@ LineStyle run_style(std::size_t index) {
                                                 {{0x00, 0x9e, 0x73}, "'-.'", 12},
                                                 {{0xcc, 0x79, 0xa7}, "'.'", 10},
                                                 {{0xe6, 0x9f, 0x00}, "'-..'", 14},
-                                                {{0x56, 0xb4, 0xe9}, "'_'", 5}}};
-  return styles[index % styles.size()];
+                                                {{0x56, 0xb4, 0xe9}, "'_'", 6}}};
+  // From the seventh on: the same colours darker, each with the next dash and marker.
+  const std::size_t round = index / styles.size(), place = index % styles.size();
+  LineStyle style = styles[place];
+  const LineStyle& next = styles[(place + round) % styles.size()];
+  style.dash = next.dash;
+  style.point = next.point;
+  for (std::size_t i = 0; i < round; ++i) style.colour = darker(style.colour, 0.6);
+  return style;
 }
 
 LineStyle published_style(std::size_t index) {
-  static const std::array<LineStyle, 4> styles{{{{0x30, 0x30, 0x30}, "solid", 6},
-                                                {{0x80, 0x80, 0x80}, "solid", 4},
-                                                {{0xe6, 0x9f, 0x00}, "solid", 8},
-                                                {{0xcc, 0x79, 0xa7}, "solid", 2}}};
-  return styles[index % styles.size()];
+  // None of the colours and markers of a run.
+  static const std::array<LineStyle, 4> styles{{{{0x30, 0x30, 0x30}, "solid", 7},
+                                                {{0x80, 0x80, 0x80}, "solid", 5},
+                                                {{0x8c, 0x56, 0x4b}, "solid", 3},
+                                                {{0x6a, 0x3d, 0x9a}, "solid", 2}}};
+  LineStyle style = styles[index % styles.size()];
+  for (std::size_t i = 0; i < index / styles.size(); ++i) {
+    style.colour = darker(style.colour, 0.6);
+    style.point = 1;
+  }
+  return style;
+}
+
+double contrast_on_white(const Colour& colour) {
+  const auto linear = [](std::uint8_t part) {
+    const double s = part / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+  };
+  const double luminance =
+      0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) + 0.0722 * linear(colour.blue);
+  return 1.05 / (luminance + 0.05);
+}
+
+Colour readable(Colour colour) {
+  while (contrast_on_white(colour) < 4.5) colour = darker(colour, 0.95);
+  return colour;
 }
 
 std::string line_spec(const LineStyle& style, double width) {

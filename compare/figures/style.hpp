@@ -23,8 +23,13 @@ struct LineStyle {
 /// The reference (VOF) is black and solid; computed runs are numbered from 0 in the study's order.
 [[nodiscard]] LineStyle reference_style();
 [[nodiscard]] LineStyle run_style(std::size_t index);
-/// Published series, numbered from 0: greys and open markers, behind the computed curves.
+/// Published series, numbered from 0: colours and markers that no run has.
 [[nodiscard]] LineStyle published_style(std::size_t index);
+
+/// Contrast of a colour on white by WCAG 2.1: (L1 + 0.05)/(L2 + 0.05) of the relative luminances.
+[[nodiscard]] double contrast_on_white(const Colour& colour);
+/// The colour, or the darker one of its kind that text can have: a contrast of 4.5 on white.
+[[nodiscard]] Colour readable(Colour colour);
 
 /// `lw W lc rgb "..." dt ...` for a plot command.
 [[nodiscard]] std::string line_spec(const LineStyle& style, double width);

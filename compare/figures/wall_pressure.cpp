@@ -82,13 +82,12 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
       "]\nset xtics 0.5\nset format x \"\"\nset label 2 " + plot_label(study.reference().label()) +
       " at graph 1,1.09 right\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const std::string colour = run_style(i).colour.hex();
     const double from_top = 5.0 + panel_mm * static_cast<double>(i);
     const auto place = [&](double mm) { return fixed_text(1.0 - mm / figure.height_mm, 4); };
     figure.script += "set tmargin at screen " + place(from_top) + "\nset bmargin at screen " +
                      place(from_top + panel_mm - 6.5) + "\nset label 1 " +
                      plot_label(panels[i]->label()) + " at graph 0,1.09 left textcolor rgb \"" +
-                     colour + "\"\n";
+                     readable(run_style(i).colour).hex() + "\"\n";
     if (i + 1 == panels.size())
       figure.script +=
           "set format x \"%g\"\nset xlabel \"{/:Italic T} after the impact\" offset 0,0.4\n";

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
+#include "compare/figures/surface.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -18,51 +20,41 @@ namespace {
 /// Cells with less water than this are not drawn: they would only tint the air.
 constexpr double visible_fraction = 0.01;
 
-/// From metres and pascals to the units of the picture.
-struct View {
-  double x_origin, floor, length, pressure_scale, speed_scale;
-  std::size_t up, depth;
-  double middle;  ///< of the tank along the depth, m
-  bool three_dimensional;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  explicit View(const Run& run)
-      : x_origin(run.physics.surge_direction() > 0.0 ? run.physics.column.lower[0]
-                                                     : run.physics.tank->lower[0]),
-        floor(run.physics.floor()),
-        length(run.physics.column_width().value()),
-        up(static_cast<std::size_t>(run.physics.vertical_axis())),
-        depth(3 - up),
-        three_dimensional(run.physics.dimension == 3) {
+/// From metres and pascals to the units of the picture.
+struct View : PictureScale {
+  double pressure_scale, speed_scale;
+
+  explicit View(const Run& run) : PictureScale(run) {
     const double height = run.physics.column.upper[up] - run.physics.column.lower[up];
     // A source that does not state its density is water.
     pressure_scale =
         run.physics.density.value_or(1000.0) * run.physics.gravity_magnitude() * height;
     speed_scale = std::sqrt(2.0 * run.physics.gravity_magnitude() * height);
-    const Extent& box = run.physics.tank ? *run.physics.tank : run.physics.column;
-    middle = 0.5 * (box.lower[depth] + box.upper[depth]);
   }
-  [[nodiscard]] double x(double metres) const { return (metres - x_origin) / length; }
-  [[nodiscard]] double y(double metres) const { return (metres - floor) / length; }
   [[nodiscard]] double speed(const Vec3& u) const {
     return std::hypot(u[0], u[1], u[2]) / speed_scale;
   }
 };
 
-WaterPicture particle_picture(const ParticleFrame& frame, const Run& run) {
-  if (frame.pressure.size() != frame.position.size()) {
-    throw Error(run.path.string() +
-                ": no pressure per particle, expected one to colour the figure");
-  }
+WaterPicture particle_picture(const ParticleFrame& frame, const Run& run, bool whole) {
   const View view(run);
   const double half = 0.5 * run.spacing.value();
   const bool has_velocity = frame.velocity.size() == frame.position.size();
+  const bool has_pressure = frame.pressure.size() == frame.position.size();
   WaterPicture picture;
   for (std::size_t i = 0; i < frame.position.size(); ++i) {
     const Vec3& r = frame.position[i];
-    if (view.three_dimensional && std::abs(r[view.depth] - view.middle) > half) continue;
+    if (view.three_dimensional && !whole && std::abs(r[view.depth] - view.middle) > half) continue;
     picture.patches.push_back({view.x(r[0]), view.y(r[view.up]), half / view.length,
-                               half / view.length, frame.pressure[i] / view.pressure_scale, 1.0,
-                               has_velocity ? view.speed(frame.velocity[i]) : 0.0});
+                               half / view.length,
+                               has_pressure ? frame.pressure[i] / view.pressure_scale : unknown,
+                               1.0, has_velocity ? view.speed(frame.velocity[i]) : unknown});
+    if (whole) {
+      picture.patches.back().z = view.z(r[view.depth]);
+      picture.patches.back().half_z = half / view.length;
+    }
   }
   return picture;
 }
@@ -90,28 +82,19 @@ class CornerMeans {
 
 /// The line alpha = 0.5 in one box, linear along its edges (marching squares).
 void add_surface(const WaterPatch& box, const CornerMeans& corners, std::vector<Segment>& surface) {
-  const std::array<double, 4> x{box.x - box.half_x, box.x + box.half_x, box.x + box.half_x,
-                                box.x - box.half_x};
-  const std::array<double, 4> y{box.y - box.half_y, box.y - box.half_y, box.y + box.half_y,
-                                box.y + box.half_y};
-  std::array<double, 4> value{};
-  for (std::size_t i = 0; i < 4; ++i) value[i] = corners.at(x[i], y[i]) - 0.5;
-  std::vector<std::pair<double, double>> crossings;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t j = (i + 1) % 4;
-    if ((value[i] >= 0.0) == (value[j] >= 0.0)) continue;
-    const double s = value[i] / (value[i] - value[j]);
-    crossings.emplace_back(x[i] + s * (x[j] - x[i]), y[i] + s * (y[j] - y[i]));
-  }
-  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    surface.push_back(
-        {crossings[i].first, crossings[i].second, crossings[i + 1].first, crossings[i + 1].second});
-  }
+  const Rectangle edges{box.x - box.half_x, box.y - box.half_y, box.x + box.half_x,
+                        box.y + box.half_y};
+  add_level(edges,
+            {corners.at(edges.x0, edges.y0) - 0.5, corners.at(edges.x1, edges.y0) - 0.5,
+             corners.at(edges.x1, edges.y1) - 0.5, corners.at(edges.x0, edges.y1) - 0.5},
+            surface);
 }
 
-WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
+WaterPicture mesh_picture(const MeshFrame& frame, const Run& run, bool whole) {
   vtkDataArray* pressure = frame.grid->GetCellData()->GetArray("p");
-  if (pressure == nullptr) {
+  // A case of OpenFOAM starts from p_rgh: it has no p before the first step.
+  const bool is_start = run.frames != nullptr && frame.time <= run.frames->times().front();
+  if (pressure == nullptr && !is_start) {
     throw Error(run.path.string() + ": no cell array p, expected one to colour the figure");
   }
   vtkDataArray* velocity = frame.grid->GetCellData()->GetArray("U");
@@ -125,20 +108,27 @@ WaterPicture mesh_picture(const MeshFrame& frame, const Run& run) {
     frame.grid->GetCellBounds(cell, b.data());
     const auto low = [&](std::size_t axis) { return b[2 * axis]; };
     const auto high = [&](std::size_t axis) { return b[2 * axis + 1]; };
-    if (view.three_dimensional &&
+    if (view.three_dimensional && !whole &&
         (view.middle < low(view.depth) || view.middle >= high(view.depth))) {
       continue;
     }
-    WaterPatch box{view.x(0.5 * (low(0) + high(0))),
-                   view.y(0.5 * (low(view.up) + high(view.up))),
-                   0.5 * (high(0) - low(0)) / view.length,
-                   0.5 * (high(view.up) - low(view.up)) / view.length,
-                   pressure->GetComponent(cell, 0) / view.pressure_scale,
-                   frame.alpha[static_cast<std::size_t>(cell)]};
+    WaterPatch box{
+        view.x(0.5 * (low(0) + high(0))),
+        view.y(0.5 * (low(view.up) + high(view.up))),
+        0.5 * (high(0) - low(0)) / view.length,
+        0.5 * (high(view.up) - low(view.up)) / view.length,
+        pressure != nullptr ? pressure->GetComponent(cell, 0) / view.pressure_scale : unknown,
+        frame.alpha[static_cast<std::size_t>(cell)]};
     if (velocity != nullptr) {
       Vec3 u;
       velocity->GetTuple(cell, u.data());
       box.speed = view.speed(u);
+    }
+    if (whole) {
+      box.z = view.z(0.5 * (low(view.depth) + high(view.depth)));
+      box.half_z = 0.5 * (high(view.depth) - low(view.depth)) / view.length;
+      if (box.fraction >= visible_fraction) picture.patches.push_back(box);
+      continue;
     }
     for (double sx : {-1.0, 1.0}) {
       for (double sy : {-1.0, 1.0}) {
@@ -185,7 +175,7 @@ double WaterPicture::height_of(double part) const {
 
 void WaterPicture::paint(Image& image) const {
   for (const auto& patch : patches) {
-    const Colour colour = viridis(patch.pressure);
+    const Colour colour = std::isnan(patch.pressure) ? unknown_colour : viridis(patch.pressure);
     if (mesh) {
       image.rectangle(patch.x - patch.half_x, patch.x + patch.half_x, patch.y - patch.half_y,
                       patch.y + patch.half_y, colour, std::clamp(patch.fraction, 0.0, 1.0));
@@ -196,10 +186,15 @@ void WaterPicture::paint(Image& image) const {
 }
 
 WaterPicture water_picture(const Frame& frame, const Run& run) {
-  if (const auto* particles = std::get_if<ParticleFrame>(&frame)) {
-    return particle_picture(*particles, run);
-  }
-  return mesh_picture(std::get<MeshFrame>(frame), run);
+  if (const auto* particles = std::get_if<ParticleFrame>(&frame))
+    return particle_picture(*particles, run, false);
+  return mesh_picture(std::get<MeshFrame>(frame), run, false);
+}
+
+std::vector<WaterPatch> water_in_space(const Frame& frame, const Run& run) {
+  if (const auto* particles = std::get_if<ParticleFrame>(&frame))
+    return particle_picture(*particles, run, true).patches;
+  return mesh_picture(std::get<MeshFrame>(frame), run, true).patches;
 }
 
 }  // namespace surge::compare

@@ -139,31 +139,32 @@ Metres overlap_cell(const Run& a, const Run& b) {
   return Metres(length / std::max(1.0, std::floor(length / coarser + 1e-6)));
 }
 
-PatternHistory measure_pattern(const Run& run, const Run& reference) {
-  const bool same_space = run.physics.dimension == reference.physics.dimension;
-  const Metres cell = overlap_cell(run, reference);
-  FrameView mine(run.physics, run.spacing), theirs(reference.physics, reference.spacing);
-  PatternHistory history;
-  for (std::size_t k = 0; k < run.frames->times().size(); ++k) {
-    mine.show(run.frames->read(k, {}));
-    PatternSample sample{mine.time(), {}, {}, {}};
-    for (std::size_t c = 0; c < cohesion_count; ++c)
-      sample.detached[c] = detached(mine, {linking_lengths[c], corner_levels[c]});
-    if (const ParticleFrame* particles = mine.particles()) {
-      const auto distance = smallest_distance(particles->position);
-      if (distance) sample.smallest_distance = *distance / run.spacing.value();
-    }
-    const auto other = frame_at(reference.frames->times(), sample.time);
-    if (same_space && other && &run != &reference) {
-      theirs.show(reference.frames->read(*other, {}));
-      FractionGrid a(reference.physics, cell), b(reference.physics, cell);
-      a.add(mine);
-      b.add(theirs);
-      sample.overlap = overlap(a, b);
-    }
-    history.push_back(sample);
+PatternObservable::PatternObservable(const Run& run, const Run* reference)
+    : run_(run), reference_(reference) {
+  if (reference_ != nullptr && reference_->physics.dimension != run.physics.dimension)
+    reference_ = nullptr;
+  if (reference_ != nullptr) theirs_.emplace(reference_->physics, reference_->spacing);
+}
+
+void PatternObservable::look(FrameView& frame) {
+  PatternSample sample{frame.time(), {}, {}, {}};
+  for (std::size_t c = 0; c < cohesion_count; ++c)
+    sample.detached[c] = detached(frame, {linking_lengths[c], corner_levels[c]});
+  if (const ParticleFrame* particles = frame.particles()) {
+    const auto distance = smallest_distance(particles->position);
+    if (distance) sample.smallest_distance = *distance / run_.spacing.value();
   }
-  return history;
+  const auto other =
+      reference_ != nullptr ? frame_at(reference_->frames->times(), sample.time) : std::nullopt;
+  if (other) {
+    theirs_->show(reference_->frames->read(*other, {}));
+    const Metres cell = overlap_cell(run_, *reference_);
+    FractionGrid a(reference_->physics, cell), b(reference_->physics, cell);
+    a.add(frame);
+    b.add(*theirs_);
+    sample.overlap = overlap(a, b);
+  }
+  history_.push_back(sample);
 }
 
 }  // namespace surge::compare

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/measure/frame_view.hpp"
+#include "compare/measure/observable.hpp"
 #include "compare/read/run.hpp"
 
 namespace surge::compare {
@@ -82,7 +83,21 @@ using PatternHistory = std::vector<PatternSample>;
 /// The reference's frame at a time; empty where there is none within a tenth of its interval.
 [[nodiscard]] std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds time);
 
-/// All frames of a run. The overlap is left out where the reference has no frame at that time.
-[[nodiscard]] PatternHistory measure_pattern(const Run& run, const Run& reference);
+/// The pattern of every frame. The overlap is left out where there is no reference, where it has
+/// another dimension, and where it has no frame at that time.
+class PatternObservable : public Observable {
+ public:
+  /// Both must outlive this; `reference` may be null.
+  PatternObservable(const Run& run, const Run* reference);
+  void look(FrameView& frame) override;
+  [[nodiscard]] Findings findings() override { return {}; }
+  [[nodiscard]] const PatternHistory& history() const { return history_; }
+
+ private:
+  const Run& run_;
+  const Run* reference_;
+  std::optional<FrameView> theirs_;
+  PatternHistory history_;
+};
 
 }  // namespace surge::compare

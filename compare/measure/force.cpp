@@ -1,12 +1,13 @@
 #include "compare/measure/kinds.hpp"
 #include "compare/measure/recorded.hpp"
+#include "compare/measure/stated.hpp"
 #include "particle/support/error.hpp"
 
 /// Force of the water on a wall, an obstacle or a moving wall over time, as the program recorded
 /// it: columns force_NAME_x, force_NAME_y and, in 3D, force_NAME_z of surge-particle's steps.csv,
-/// or postProcessing/NAME/*/force.dat of OpenFOAM's function object `forces` (pressure and viscous
-/// stress on its patches). N; in 2D N per metre of width, the force on the mesh over the thickness
-/// of its one layer of cells.
+/// or postProcessing/OBJECT/*/force.dat of OpenFOAM's function object `forces` (pressure and
+/// viscous stress on its patches), OBJECT that which the manifest states for NAME, else NAME. N; in
+/// 2D N per metre of width, the force on the mesh over the thickness of its one layer of cells.
 namespace surge::compare {
 namespace {
 
@@ -14,7 +15,7 @@ namespace {
 Recorded read_force(const Run& run, const std::string& surface,
                     const std::vector<std::size_t>& axes) {
   if (run.is_mesh()) {
-    Recorded all = read_foam_force(run, surface);
+    Recorded all = read_foam_force(run, recording_object(run, "forces", surface));
     Recorded table{std::move(all.time), {}};
     for (const std::size_t a : axes) table.values.push_back(std::move(all.values[a]));
     return table;
@@ -62,6 +63,10 @@ std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name
                                  const ObservableContext& context) {
   const auto surface = parameters.text("name");
   if (!surface) parameters.fail("name", "nothing", "that of the surface");
+  if (context.planned) {
+    require_stated(context.run, "forces", *surface, name);
+    return nullptr;
+  }
   return std::make_unique<Force>(context.run, *surface, name);
 }
 

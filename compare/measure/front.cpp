@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
+#include "compare/read/four_digits.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/table.hpp"
@@ -73,7 +75,7 @@ FrontStrip front_strip(const Physics& physics, Metres spacing, bool particles,
   const double above = options.bed_share * (height - depth);
   if (above < spacing.value())
     throw Error("front on a wet bed: " + number_text(options.bed_share) + " of the column's " +
-                number_text(height - depth) + " m above the bed are less than a spacing of " +
+                four_digits(height - depth) + " m above the bed are less than a spacing of " +
                 number_text(spacing.value()) +
                 " m, which cannot be told from the bed; expected a finer run or a larger "
                 "--bed-share");
@@ -108,6 +110,14 @@ DimensionlessFront dimensionless(const FrontHistory& history, const Scales& scal
         {scales.dimensionless(sample.time), scales.dimensionless(sample.position)});
   }
   return front;
+}
+
+void write_front_csv(std::ostream& out, const FrontHistory& history, const Scales& scales) {
+  out << "time_s,T,Z_over_L\n";
+  for (const FrontSample& sample : history)
+    out << number_text(sample.time.value()) << ','
+        << number_text(scales.dimensionless(sample.time).value()) << ','
+        << number_text(scales.dimensionless(sample.position).value()) << '\n';
 }
 
 void write_front_csv(const std::filesystem::path& file, const FrontHistory& history,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,6 +122,7 @@ struct FrontWithVariants {
 [[nodiscard]] DimensionlessFront dimensionless(const FrontHistory& history, const Scales& scales);
 
 /// Columns time_s,T,Z_over_L.
+void write_front_csv(std::ostream& out, const FrontHistory& history, const Scales& scales);
 void write_front_csv(const std::filesystem::path& file, const FrontHistory& history,
                      const Scales& scales);
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "compare/measure/front.hpp"
+#include "compare/read/four_digits.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -48,8 +49,8 @@ void check_front_speed(const Run& run, const FrontHistory& history) {
     if (time > 0.0) fastest = std::max(fastest, (path - 4.0 * run.spacing.value()) / time);
   }
   if (fastest > 3.0 * scale) {
-    throw Error(run.path.string() + ": the leading edge moves at up to " + number_text(fastest) +
-                " m/s, three times sqrt(2 g H) = " + number_text(scale) +
+    throw Error(run.path.string() + ": the leading edge moves at up to " + four_digits(fastest) +
+                " m/s, three times sqrt(2 g H) = " + four_digits(scale) +
                 " m/s are expected at most (--time-step; lengths in millimetres?)");
   }
   const double moved = (history.back().position - history.front().position).value();
@@ -59,8 +60,8 @@ void check_front_speed(const Run& run, const FrontHistory& history) {
       physics.far_wall() &&
       history.back().position.value() > physics.far_wall()->value() - 4.0 * run.spacing.value();
   if (long_enough && !at_wall && moved > run.spacing.value() && moved / time < 0.03 * scale) {
-    throw Error(run.path.string() + ": the leading edge needs " + number_text(time) + " s for " +
-                number_text(moved) + " m, a collapse with sqrt(2 g H) = " + number_text(scale) +
+    throw Error(run.path.string() + ": the leading edge needs " + four_digits(time) + " s for " +
+                four_digits(moved) + " m, a collapse with sqrt(2 g H) = " + four_digits(scale) +
                 " m/s is faster (--time-step)");
   }
 }

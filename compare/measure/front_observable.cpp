@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/measure/front_pace.hpp"
 #include "compare/measure/kinds.hpp"
 #include "compare/measure/measure_all.hpp"
+#include "compare/read/four_digits.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -19,13 +21,13 @@ std::vector<std::string> assumed(const Run& run, const FrontOptions& options) {
   const FrontStrip strip = front_strip(run.physics, run.spacing, !run.is_mesh(), options);
   if (bed > 0.0) {
     const double level = std::round(1e6 * (strip.lower - run.physics.floor())) / 1e6;
-    return {"front on a wet bed of " + number_text(bed) +
-            " m: where the water stands higher than " + number_text(level) + " m"};
+    return {"front on a wet bed of " + four_digits(bed) +
+            " m: where the water stands higher than " + four_digits(level) + " m"};
   }
   if (options.raw_maximum || run.is_mesh() || options.strip_height.value() >= least * (1.0 - 1e-9))
     return {};
   return {"front: a strip of " + number_text(options.strip_height.value()) +
-          " m holds less than three spacings; " + number_text(least) + " m are taken"};
+          " m holds less than three spacings; " + four_digits(least) + " m are taken"};
 }
 
 }  // namespace
@@ -56,6 +58,7 @@ FrameObservable::Values FrontObservable::measure(FrameView& frame) {
 std::vector<std::string> FrontObservable::course() const {
   std::vector<std::string> lines = course_notices(run_, history_);
   for (std::string& line : leads_.notices(history_.size())) lines.push_back(std::move(line));
+  for (std::string& line : pace_notices(run_, history_)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -69,18 +72,14 @@ Findings FrontObservable::findings() {
   return FrameObservable::findings();
 }
 
-namespace {
-
-/// What the front that is used assumes and tells goes to the run.
-void tell_of(Run& run, const Observable& front, const FrontOptions& options) {
+void tell_of_front(Run& run, const FrontObservable& front, const FrontOptions& options) {
   for (std::string& notice : assumed(run, options)) run.notices.push_back(std::move(notice));
-  for (std::string& notice : dynamic_cast<const FrontObservable&>(front).course())
-    run.notices.push_back(std::move(notice));
+  for (std::string& notice : front.course()) run.notices.push_back(std::move(notice));
 }
 
 using Named = std::pair<std::string, FrontOptions>;
 
-std::vector<Named> variants_of(const Run& run, const FrontOptions& options) {
+std::vector<Named> front_variants_of(const Run& run, const FrontOptions& options) {
   std::vector<Named> all;
   if (run.physics.bed_depth().value_or(Metres(0.0)) > Metres(0.0)) {
     all.emplace_back("bed_share_x2", options).second.bed_share *= 2.0;
@@ -98,19 +97,17 @@ std::vector<Named> variants_of(const Run& run, const FrontOptions& options) {
   return all;
 }
 
-}  // namespace
-
 FrontWithVariants measure_front_variants(Run& run, const FrontOptions& options) {
   std::vector<Named> all{{"front", options}};
   if (!options.raw_maximum) {
-    for (Named& variant : variants_of(run, options)) all.push_back(std::move(variant));
+    for (Named& variant : front_variants_of(run, options)) all.push_back(std::move(variant));
   }
   std::vector<std::unique_ptr<Observable>> observables;
   for (const auto& [name, of] : all)
     observables.push_back(std::make_unique<FrontObservable>(run, of, name));
   const std::vector<Findings> found = measure_all(run, observables);
   if (found.front().failure) throw Error(*found.front().failure);
-  tell_of(run, *observables.front(), options);
+  tell_of_front(run, dynamic_cast<const FrontObservable&>(*observables.front()), options);
   FrontWithVariants result;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto& history = dynamic_cast<const FrontObservable&>(*observables[k]).history();
@@ -130,7 +127,7 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
   one.push_back(std::make_unique<FrontObservable>(run, options, "front"));
   const std::vector<Findings> found = measure_all(run, one);
   if (found.front().failure) throw Error(*found.front().failure);
-  tell_of(run, *one.front(), options);
+  tell_of_front(run, dynamic_cast<const FrontObservable&>(*one.front()), options);
   return dynamic_cast<const FrontObservable&>(*one.front()).history();
 }
 

@@ -35,4 +35,11 @@ class FrontObservable : public FrameObservable {
   bool lost_ = false;
 };
 
+/// The other choices that measure_front_variants() makes, by their names.
+[[nodiscard]] std::vector<std::pair<std::string, FrontOptions>> front_variants_of(
+    const Run& run, const FrontOptions& options);
+
+/// What the front that is used assumes and tells goes to the run's notices.
+void tell_of_front(Run& run, const FrontObservable& front, const FrontOptions& options);
+
 }  // namespace surge::compare

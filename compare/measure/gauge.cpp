@@ -1,8 +1,12 @@
 #include "compare/measure/height.hpp"
 #include "compare/measure/kinds.hpp"
+#include "compare/measure/measure_tool.hpp"
+#include "compare/measure/recorded_observable.hpp"
 #include "compare/measure/stated.hpp"
 
-/// Height of the water at a place, and of the column at its wall: water_height() over time.
+/// Height of the water at a place, and of the column at its wall: water_height() over time. With
+/// `recorded = yes` what DualSPHysics' MeasureTool (-elevation) has written of the place beside the
+/// run's files, by a rule of its own, less the height of the floor.
 namespace surge::compare {
 namespace {
 
@@ -18,6 +22,16 @@ class Gauge : public FrameObservable {
   Place place_;
 };
 
+std::unique_ptr<Observable> recorded_gauge(const ProbeColumn& column, double floor,
+                                           const std::string& name) {
+  Findings found;
+  TimeSeries& series = found.series.emplace_back(TimeSeries{name, "m", {}, {}});
+  for (const double time : column.time) series.times.emplace_back(time);
+  for (const double value : column.values) series.values.emplace_back(value - floor);
+  found.notices.push_back(name + ": as recorded by " + column.file.filename().string());
+  return std::make_unique<RecordedObservable>(std::move(found));
+}
+
 std::unique_ptr<Observable> make_gauge(Parameters& parameters, const std::string& name,
                                        const ObservableContext& context) {
   const Physics& physics = context.run.physics;
@@ -30,6 +44,17 @@ std::unique_ptr<Observable> make_gauge(Parameters& parameters, const std::string
   }
   Place place{parameters.required("x"), {}};
   if (physics.dimension == 3) place.across = parameters.number(std::string(1, "xyz"[across]));
+  if (const auto recorded = parameters.text("recorded")) {
+    if (*recorded != "yes") parameters.fail("recorded", *recorded, "yes, or nothing");
+    Vec3 at{place.x, 0.0, 0.0};
+    if (place.across) at[across] = *place.across;
+    const std::vector<std::size_t> axes =
+        place.across ? std::vector<std::size_t>{0, across} : std::vector<std::size_t>{0};
+    const auto column = measure_tool_column(context.run, "Elevation", at, axes);
+    if (!column)
+      parameters.fail("recorded", "no table of MeasureTool with Elevation at that place", "one");
+    return recorded_gauge(*column, physics.floor(), name);
+  }
   return std::make_unique<Gauge>(place, name);
 }
 
@@ -46,8 +71,7 @@ std::unique_ptr<Observable> make_column_height(Parameters& parameters, const std
 ObservableKind gauge_kind() {
   return {"gauge", "height of the water at a place, above the tank's floor, m",
           "x (m); in 3D the level axis across, z or y (m): without it over the whole width; or "
-          "name, of "
-          "a gauge of the case",
+          "name, of a gauge of the case; recorded = yes: by DualSPHysics' MeasureTool",
           make_gauge};
 }
 

@@ -32,12 +32,26 @@ class Follower {
     Findings found;
     if (!failure_) attempt([&] { found = observable_.findings(); });
     if (failure_) return {{}, {}, {}, failure_};
+    if (lacks_fields(found))
+      return {{},
+              {},
+              {},
+              found.series.front().name + ": the frames hold no " +
+                  (fields().pressure ? "pressure" : "velocity") + ", one expected"};
     for (const TimeSeries& series : found.series)
       if (series.absent() > 0) found.notices.push_back(absence_of(series));
     return found;
   }
 
  private:
+  /// A foreign program's files may have neither pressure nor velocity.
+  [[nodiscard]] bool lacks_fields(const Findings& found) const {
+    if (!fields().pressure && !fields().velocity) return false;
+    return !found.series.empty() &&
+           std::all_of(found.series.begin(), found.series.end(), [](const TimeSeries& series) {
+             return !series.values.empty() && series.absent() == series.values.size();
+           });
+  }
   void attempt(const auto& action) {
     try {
       action();

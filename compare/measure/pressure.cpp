@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "compare/measure/kinds.hpp"
+#include "compare/measure/measure_tool.hpp"
 #include "compare/measure/open_space.hpp"
 #include "compare/measure/recorded.hpp"
+#include "compare/measure/recorded_observable.hpp"
 #include "compare/measure/stated.hpp"
 #include "compare/measure/wall_pressure.hpp"
 #include "particle/support/bounds.hpp"
@@ -15,7 +17,8 @@
 ///    of one within a tenth of a spacing of the place;
 /// 2. what OpenFOAM recorded, postProcessing/NAME/*/p, of the function object of that name (or of
 ///    that name written wallPressure for wall_pressure) or with a probe at the place;
-/// 3. the pressure in the frames, over a box around the place,
+/// 3. what DualSPHysics' MeasureTool has written of the place beside the run's files;
+/// 4. the pressure in the frames, over a box around the place,
 ///      p = int_B f p dV / max(int_B f dV, 3/4 int_B dV),  B = place +- s along each axis,
 ///    f the water as in height.hpp, over what of B is neither wall nor obstacle; s is a spacing or
 ///    a cell, or half the diameter of the probe where that is more. Where water covers less than
@@ -93,21 +96,6 @@ class FramePressure : public FrameObservable {
   Filter filter_;
 };
 
-/// A series that was recorded beside the frames.
-class RecordedObservable : public Observable {
- public:
-  explicit RecordedObservable(Findings found) : found_(std::move(found)) {}
-  [[nodiscard]] bool looks_at(std::size_t index) const override {
-    (void)index;
-    return false;
-  }
-  void look(FrameView& frame) override { (void)frame; }
-  [[nodiscard]] Findings findings() override { return std::move(found_); }
-
- private:
-  Findings found_;
-};
-
 std::unique_ptr<Observable> recorded(const Recorded& table, std::size_t column,
                                      const std::string& from, const Filter& filter,
                                      const std::string& name) {
@@ -161,8 +149,11 @@ std::unique_ptr<Observable> of_particle_run(const Run& run, const Request& reque
 
 std::unique_ptr<Observable> of_foam_case(const Run& run, const Request& request,
                                          const std::vector<std::size_t>& axes) {
+  const std::string stated = request.probe ? recording_object(run, "probes", *request.probe) : "";
   for (const std::string& object : foam_function_objects(run, "p")) {
-    if (request.probe && object != *request.probe && object != camel_case(*request.probe)) continue;
+    if (request.probe && object != *request.probe && object != camel_case(*request.probe) &&
+        object != stated)
+      continue;
     const FoamProbes probes = read_foam_probes(run, object);
     if (request.probe && !request.place && probes.places.size() > 1)
       throw Error(request.name + ": found " + std::to_string(probes.places.size()) +
@@ -174,6 +165,17 @@ std::unique_ptr<Observable> of_foam_case(const Run& run, const Request& request,
     }
   }
   return nullptr;
+}
+
+std::unique_ptr<Observable> of_tables(const Run& run, const Request& request,
+                                      const std::vector<std::size_t>& axes) {
+  const auto column = measure_tool_column(run, "Press", *request.place, axes);
+  if (!column) return nullptr;
+  if (column->unit != "Pa")
+    throw Error(column->file.string() + ": found the unit \"" + column->unit +
+                "\" of Press, expected Pa");
+  return recorded({column->time, {column->values}}, 0, column->file.filename().string(),
+                  request.filter, request.name);
 }
 
 std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
@@ -199,8 +201,13 @@ std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name
         std::to_string(view.axes().size()) + " in " + std::to_string(run.physics.dimension) + "D");
   if (!request.place && !request.probe)
     parameters.fail("name", "nothing", "the name of a probe, or its place");
+  if (context.planned) {
+    if (!request.place) require_stated(run, "probes", *request.probe, name);
+    return nullptr;
+  }
   auto found = run.is_mesh() ? of_foam_case(run, request, view.axes())
                              : of_particle_run(run, request, view.axes());
+  if (!found && request.place) found = of_tables(run, request, view.axes());
   if (found) return found;
   if (!request.place)
     parameters.fail("name", "no probe \"" + *request.probe + "\" recorded by " + run.path.string(),

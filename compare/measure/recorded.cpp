@@ -9,6 +9,7 @@
 #include "compare/read/foam_reader.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge::compare {
 
@@ -79,8 +80,7 @@ Vec3 frame_vector(const Run& run, const Vec3& v) {
 }  // namespace
 
 Recorded read_recorded_csv(const fs::path& file, const std::vector<std::string>& columns) {
-  std::ifstream in(file);
-  if (!in) throw Error(file.string() + ": cannot be opened, expected what the run recorded");
+  std::ifstream in = open_regular(file, most_table_bytes, "what the run recorded");
   std::string line;
   std::getline(in, line);
   if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -132,8 +132,7 @@ FoamTable read_foam_table(const Run& run, const std::string& name, const std::st
                 " in it, expected what the function object recorded");
   FoamTable table;
   for (const auto& [start, path] : files) {
-    std::ifstream in(path);
-    if (!in) throw Error(path.string() + ": cannot be opened, expected what was recorded");
+    std::ifstream in = open_regular(path, most_table_bytes, "what was recorded");
     table.comments.clear();
     bool first = true;
     std::string line;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "compare/measure/front.hpp"
 #include "compare/measure/observable.hpp"
@@ -17,6 +18,9 @@ struct ObservableContext {
   const Run& run;
   FrontOptions front;
   const Run* reference = nullptr;
+  /// The run is described by its case and not computed yet. A maker checks all that the case says
+  /// and gives nothing where it would read what the run is to record.
+  bool planned = false;
 };
 
 /// A kind of observable: how it is asked for, and its maker, which takes its parameters and throws
@@ -32,6 +36,8 @@ struct ObservableKind {
 /// All kinds, by name. A new one is its own file and an entry here.
 [[nodiscard]] std::span<const ObservableKind> observable_kinds();
 
+[[nodiscard]] std::vector<std::string> observable_names();
+
 /// From "kind" or "kind:key=value,key=value". The text is the name of what is measured. Throws
 /// surge::Error for an unknown kind or parameter, with what it may be.
 [[nodiscard]] std::unique_ptr<Observable> make_observable(const std::string& request,
@@ -40,5 +46,10 @@ struct ObservableKind {
 [[nodiscard]] std::unique_ptr<Observable> make_observable(
     const std::string& name, const std::string& kind,
     const std::map<std::string, std::string>& parameters, const ObservableContext& context);
+
+/// Throws what make_observable would throw for a run that its case describes.
+void check_observable(const std::string& name, const std::string& kind,
+                      const std::map<std::string, std::string>& parameters,
+                      ObservableContext context);
 
 }  // namespace surge::compare

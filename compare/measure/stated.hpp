@@ -21,4 +21,15 @@ struct StatedPlace {
 [[nodiscard]] Vec3 stated_place(const Run& run, const std::string& kind, const std::string& name,
                                 const std::string& asker);
 
+/// Throws surge::Error, beginning with `asker`, where the run's manifest states no such entry of
+/// case.`kind` ("probes", "gauges" or "forces"), with those that it has.
+void require_stated(const Run& run, const std::string& kind, const std::string& name,
+                    const std::string& asker);
+
+/// The function object of an OpenFOAM case that records what its case calls `name`, as its manifest
+/// states the file: "stepForce" of "postProcessing/stepForce/0/force.dat". The name itself where
+/// the manifest does not say. `kind`: "probes", "gauges" or "forces".
+[[nodiscard]] std::string recording_object(const Run& run, const std::string& kind,
+                                           const std::string& name);
+
 }  // namespace surge::compare

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "compare/read/delimited.hpp"
@@ -62,12 +63,17 @@ class Rows {
 
   [[nodiscard]] std::string_view field(std::size_t i) const { return fields_[i]; }
   [[nodiscard]] double number(std::size_t i) const {
-    const auto value = number_in(fields_[i]);
+    const auto value = number_in(fields_[i], table_.decimal);
     if (!value)
       fail(file_, line_,
            table_.columns[i] + ": found \"" + std::string(fields_[i]) +
                "\", expected a number such as 5.0e-02");
     return *value;
+  }
+  /// Whether a field begins as a word does ("fluid"), not as a number that is damaged.
+  [[nodiscard]] bool is_word(std::size_t i) const {
+    return !number_in(fields_[i], table_.decimal) && !fields_[i].empty() &&
+           std::isalpha(static_cast<unsigned char>(fields_[i][0])) != 0;
   }
   [[nodiscard]] std::uintmax_t begin() const { return begin_; }
   [[nodiscard]] std::size_t line() const { return line_; }
@@ -152,16 +158,17 @@ ParticleTable read_csv(const fs::path& file, const FilePart& part, const ArrayNa
     ++table.count;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       ParticleArray& array = table.arrays[k];
-      if (!wanted && !number_in(rows.field(columns[k]))) array.type = "text";
-      if (array.type == "text") continue;
-      array.values.push_back(rows.number(columns[k]));
+      if (table.count == 1 ? rows.is_word(columns[k]) : array.is_text()) {
+        array.add_word(std::string(rows.field(columns[k])));
+      } else {
+        array.values.push_back(rows.number(columns[k]));
+      }
     }
   }
-  for (ParticleArray& array : table.arrays)
-    if (array.type == "text") array.values.assign(table.count, std::nan(""));
   if (layout.count && part.end == 0 && *layout.count != table.count)
     throw Error(file.string() + ": " + std::to_string(table.count) + " rows found, its head " +
                 "announces " + std::to_string(*layout.count));
+  if (layout.decimal == ',') table.notes.emplace_back("its numbers have a decimal comma");
   if (part.end == 0 && rows.open_end())
     table.notes.push_back("the last line has no end: is the file cut short?");
   return table;

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 #include "particle/support/error.hpp"
 
@@ -20,7 +19,30 @@ bool is_comment(std::string_view line) {
          line.starts_with("//");
 }
 
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// "0,5": a number with a decimal comma.
+bool has_decimal_comma(std::string_view field) {
+  const auto comma = field.find(',');
+  return comma != std::string_view::npos && comma + 1 < field.size() &&
+         is_digit(field[comma + 1]) && number_in(field, ',').has_value();
+}
+
+/// Blanks or tabs between fields whose commas are all decimal ones.
+bool has_comma_decimals(std::string_view line) {
+  std::vector<std::string_view> fields;
+  split_fields(line, ' ', fields);
+  return fields.size() > 1 && std::any_of(fields.begin(), fields.end(), has_decimal_comma) &&
+         std::all_of(fields.begin(), fields.end(), [](std::string_view field) {
+           return has_decimal_comma(field) || field.find(',') == std::string_view::npos;
+         });
+}
+
 char delimiter_of(std::string_view line) {
+  if (line.find(';') == std::string_view::npos && has_comma_decimals(line))
+    return line.find('\t') != std::string_view::npos ? '\t' : ' ';
   for (const char c : {';', ',', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
   return ' ';
@@ -32,8 +54,13 @@ struct HeadLine {
   std::size_t begin = 0;
   std::size_t number = 0;  ///< in the file, from 1
   char delimiter = ',';
+  char decimal = '.';
   std::vector<std::string_view> fields;
   bool numeric = false;
+
+  [[nodiscard]] std::optional<double> value(std::size_t i) const {
+    return number_in(fields[i], decimal);
+  }
 };
 
 struct Head {
@@ -58,10 +85,13 @@ Head split_head(std::string_view text) {
                                   : bare.find_first_not_of("#%!/ \t"))));
       continue;
     }
-    HeadLine found{line, begin, number, delimiter_of(line), {}, false};
+    HeadLine found{line, begin, number, delimiter_of(line), '.', {}, false};
     split_fields(line, found.delimiter, found.fields);
-    found.numeric = std::all_of(found.fields.begin(), found.fields.end(),
-                                [](std::string_view f) { return number_in(f).has_value(); });
+    if (std::any_of(found.fields.begin(), found.fields.end(), has_decimal_comma))
+      found.decimal = ',';
+    found.numeric = std::all_of(found.fields.begin(), found.fields.end(), [&](std::string_view f) {
+      return number_in(f, found.decimal).has_value();
+    });
     head.lines.push_back(std::move(found));
     if (head.lines.size() > 200) break;
   }
@@ -72,8 +102,9 @@ Head split_head(std::string_view text) {
 bool starts_rows(const std::vector<HeadLine>& lines, std::size_t i) {
   const HeadLine& line = lines[i];
   if (line.fields.size() < 2 || line.fields[0].empty()) return false;
-  const auto numbers = std::count_if(line.fields.begin(), line.fields.end(),
-                                     [](auto field) { return number_in(field).has_value(); });
+  const auto numbers = std::count_if(line.fields.begin(), line.fields.end(), [&](auto field) {
+    return number_in(field, line.decimal).has_value();
+  });
   // A column of words ("fluid") among numbers is fine.
   if (numbers < 2) return false;
   const bool named =
@@ -97,6 +128,7 @@ std::optional<double> commented_time(std::string_view comment) {
     std::string_view rest = trimmed(std::string_view(text).substr(sign + 1));
     if (rest.ends_with(" s")) rest = trimmed(rest.substr(0, rest.size() - 2));
     if (const auto time = number_in(rest)) return time;
+    if (has_decimal_comma(rest)) return number_in(rest, ',');
   }
   return std::nullopt;
 }
@@ -106,17 +138,20 @@ void read_facts(TextTable& table, const std::vector<HeadLine>& lines, std::size_
   std::vector<double> alone;
   for (std::size_t i = 0; i < end; ++i) {
     if (lines[i].fields.size() == 1 && lines[i].numeric) {
-      alone.push_back(*number_in(lines[i].fields[0]));
+      alone.push_back(*lines[i].value(0));
       continue;
     }
     if (i + 1 >= end || lines[i].numeric || !lines[i + 1].numeric) continue;
     for (std::size_t k = 0; k < std::min(lines[i].fields.size(), lines[i + 1].fields.size()); ++k) {
       const std::string name = plain_name(lines[i].fields[k]);
-      if (name == "timestep" || name == "time") table.time = number_in(lines[i + 1].fields[k]);
+      if (name == "timestep" || name == "time") table.time = lines[i + 1].value(k);
     }
   }
   if (alone.size() == 2) table.time = alone[0];
-  if (alone.size() == 1 || alone.size() == 2) {
+  // One number alone is a count, unless it cannot be one.
+  if (alone.size() == 1 && (alone[0] == 0.0 || alone[0] != std::round(alone[0]))) {
+    table.time = alone[0];
+  } else if (alone.size() == 1 || alone.size() == 2) {
     const double count = alone.back();
     if (count >= 0.0 && count == std::round(count) && count < 1e15)
       table.count = static_cast<std::size_t>(count);
@@ -165,7 +200,17 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
   }
 }
 
-std::optional<double> number_in(std::string_view word) {
+std::optional<double> number_in(std::string_view word, char decimal) {
+  if (decimal == ',') {
+    // One comma and no point; 1,234.5 and 1.234,5 are no numbers of a table.
+    const auto comma = word.find(',');
+    if (comma == std::string_view::npos)
+      return word.find('.') == std::string_view::npos ? number_in(word) : std::nullopt;
+    if (word.find('.') != std::string_view::npos) return std::nullopt;
+    std::string plain(word);
+    plain[comma] = '.';
+    return number_in(plain);
+  }
   if (word.starts_with('+')) word.remove_prefix(1);
   if (word.empty()) return std::nullopt;
   double value = 0.0;
@@ -181,6 +226,22 @@ std::optional<double> number_in(std::string_view word) {
   }
   if (failed != std::errc()) return std::nullopt;
   return value;
+}
+
+std::string without_percent(const std::string& name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2 &&
+        code >= 0x20) {
+      plain += static_cast<char>(code);
+      i += 2;
+    } else {
+      plain += name[i];
+    }
+  }
+  return plain;
 }
 
 std::string plain_name(std::string_view column) {
@@ -211,6 +272,10 @@ TextTable describe_table(const fs::path& file) {
   const HeadLine& row = head.lines[first];
   TextTable table;
   table.delimiter = row.delimiter;
+  const bool commas = std::any_of(
+      head.lines.begin() + static_cast<std::ptrdiff_t>(first), head.lines.end(),
+      [&](const HeadLine& line) { return line.delimiter == row.delimiter && line.decimal == ','; });
+  if (commas) table.decimal = ',';
   table.begin = row.begin;
   table.line = row.number;
   std::vector<std::string_view> names;
@@ -235,65 +300,6 @@ TextTable describe_table(const fs::path& file) {
   for (const std::string_view comment : head.comments)
     if (!table.time) table.time = commented_time(comment);
   return table;
-}
-
-std::string bytes_between(const fs::path& file, std::uintmax_t begin, std::uintmax_t end) {
-  const std::uintmax_t size = fs::file_size(file);
-  const std::uintmax_t last = end == 0 ? size : std::min(end, size);
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw Error(file.string() + ": cannot be opened");
-  std::string text(last > begin ? last - begin : 0, '\0');
-  in.seekg(static_cast<std::streamoff>(begin));
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (static_cast<std::size_t>(in.gcount()) != text.size())
-    throw Error(file.string() + ": ends while it is read");
-  return text;
-}
-
-FileLines::FileLines(const fs::path& file, std::uintmax_t begin, std::uintmax_t end)
-    : file_(file), in_(file, std::ios::binary), at_(begin), read_(begin), end_(end) {
-  if (!in_) throw Error(file.string() + ": cannot be opened");
-  if (end_ == 0) end_ = fs::file_size(file);
-  in_.seekg(static_cast<std::streamoff>(begin));
-}
-
-bool FileLines::next(std::string_view& line) {
-  constexpr std::size_t block = 1 << 20;
-  std::size_t stop = buffer_.find('\n', used_);
-  while (stop == std::string::npos && read_ < end_) {
-    if (buffer_.size() - used_ > 4 * block)
-      throw Error(file_.string() + ": a line of more than 4 MiB, a table of particles expected");
-    buffer_.erase(0, used_);
-    used_ = 0;
-    const std::size_t old = buffer_.size();
-    const auto wanted = static_cast<std::size_t>(std::min<std::uintmax_t>(block, end_ - read_));
-    buffer_.resize(old + wanted);
-    in_.read(buffer_.data() + old, static_cast<std::streamsize>(wanted));
-    if (static_cast<std::size_t>(in_.gcount()) != wanted)
-      throw Error(file_.string() + ": ends while it is read");
-    read_ += wanted;
-    stop = buffer_.find('\n', old);
-  }
-  open_end_ = stop == std::string::npos;
-  if (open_end_ && used_ == buffer_.size()) {
-    open_end_ = last_open_;
-    return false;
-  }
-  if (open_end_) stop = buffer_.size();
-  last_open_ = open_end_;
-  line = std::string_view(buffer_).substr(used_, stop - used_);
-  at_ += stop - used_ + (open_end_ ? 0 : 1);
-  used_ = stop + (open_end_ ? 0 : 1);
-  return true;
-}
-
-bool Lines::next(std::string_view& line) {
-  if (at_ >= text_.size()) return false;
-  const std::size_t end = text_.find('\n', at_);
-  const bool last = end == std::string_view::npos;
-  line = text_.substr(at_, last ? end : end - at_);
-  at_ = last ? text_.size() : end + 1;
-  return true;
 }
 
 }  // namespace surge::compare

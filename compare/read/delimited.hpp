@@ -21,8 +21,12 @@ namespace surge::compare {
 /// delimiter at the end of a line ends its last field. Delimiters in quotes do not count.
 void split_fields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
-/// The number that a word is, "nan" and "inf" among them; empty where it is none (1.0D-02, 0,5).
-[[nodiscard]] std::optional<double> number_in(std::string_view word);
+/// The number that a word is, "nan" and "inf" among them; empty where it is none (1.0D-02). Its
+/// decimals follow after `decimal`, a point or a comma.
+[[nodiscard]] std::optional<double> number_in(std::string_view word, char decimal = '.');
+
+/// "sub dir" for "sub%20dir".
+[[nodiscard]] std::string without_percent(const std::string& name);
 
 /// Small letters without a unit: "Pos.x [m]" is "pos.x".
 [[nodiscard]] std::string plain_name(std::string_view column);
@@ -30,6 +34,7 @@ void split_fields(std::string_view line, char delimiter, std::vector<std::string
 /// How a text table is laid out.
 struct TextTable {
   char delimiter = ',';
+  char decimal = '.';
   std::vector<std::string> columns;  ///< "1", "2", ... where there is no line of names
   std::uintmax_t begin = 0;          ///< byte of the first row
   std::size_t line = 1;              ///< of the first row

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "compare/read/four_digits.hpp"
 #include "compare/read/pieces.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
@@ -46,10 +47,11 @@ void check_spacing(const Run& run, const ParticleFrame& frame) {
   const double nearest = nearest_distance(frame.position);
   const double ratio = nearest / run.spacing.value();
   if (ratio > 0.5 && ratio < 1.5) return;
-  refuse(run,
-         "particles are " + number_text(nearest) + " m from their nearest neighbour, spacing " +
-             number_text(run.spacing.value()) + " m",
-         "about one spacing (--spacing; are the files in millimetres?)");
+  refuse(
+      run,
+      "particles are " + four_digits(nearest) + " m from their nearest neighbour, spacing " +
+          number_text(run.spacing.value()) + " m",
+      "about one spacing (--spacing; are the files in millimetres, or walls among the particles?)");
 }
 
 void check_bodies(const Run& run, const ParticleFrame& frame) {
@@ -95,7 +97,8 @@ std::string ArrayFound::text() const {
                      (components == 1 ? " component" : " components");
   if (type != "text") text += ", " + number_text(lower) + " to " + number_text(upper);
   for (std::size_t i = 0; i < values.size(); ++i)
-    text += (i == 0 ? ": " : ", ") + number_text(values[i]) + " x " + std::to_string(counts[i]);
+    text += (i == 0 ? ": " : ", ") + (words.empty() ? number_text(values[i]) : words.at(i)) +
+            " x " + std::to_string(counts[i]);
   return text + ")";
 }
 
@@ -110,6 +113,7 @@ std::vector<ArrayFound> arrays_of(const ParticleTable& table) {
       entry.upper = started ? std::max(entry.upper, value) : value;
       started = true;
     }
+    if (array.words.size() <= most_values) entry.words = array.words;
     if (entry.components == 1)
       for (const auto& [value, count] : few_values(array.values)) {
         entry.values.push_back(value);

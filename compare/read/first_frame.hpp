@@ -15,8 +15,9 @@ struct ArrayFound {
   int components = 1;
   double lower = 0.0;  ///< of all components
   double upper = 0.0;
-  std::vector<double> values;       ///< the distinct ones, where they are few and whole
-  std::vector<std::size_t> counts;  ///< particles with each of them
+  std::vector<double> values;        ///< the distinct ones, where they are few and whole
+  std::vector<std::size_t> counts;   ///< particles with each of them
+  std::vector<std::string> words{};  ///< of text; the values are their places
 
   /// Few whole values, two at least: what tells fluid from walls looks like this.
   [[nodiscard]] bool looks_like_a_type() const { return components == 1 && values.size() > 1; }

@@ -13,25 +13,48 @@
 namespace surge::compare {
 namespace {
 
-/// Part of the tank's length along an axis that the water covers.
-double covered(const MeshFrame& frame, std::size_t axis) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  double low = infinite, high = -infinite, wet_low = infinite, wet_high = -infinite;
+/// Ends of the tank and of the water along an axis.
+struct Reach {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double wet_low = low, wet_high = high;
+
+  /// Part of the tank's length that the water covers.
+  [[nodiscard]] double covered() const {
+    return wet_high > wet_low ? (wet_high - wet_low) / (high - low) : 0.0;
+  }
+  /// Whether the water stands at the upper end and leaves the lower one dry.
+  [[nodiscard]] bool is_at_upper_end() const {
+    const double near = 1e-6 * (high - low);
+    return wet_high > wet_low && wet_high > high - near && wet_low > low + near;
+  }
+};
+
+Reach reach_of(const MeshFrame& frame, std::size_t axis) {
+  Reach reach;
   for (std::size_t c = 0; c < frame.alpha.size(); ++c) {
     double b[6];
     frame.grid->GetCellBounds(static_cast<vtkIdType>(c), b);
-    low = std::min(low, b[2 * axis]);
-    high = std::max(high, b[2 * axis + 1]);
+    reach.low = std::min(reach.low, b[2 * axis]);
+    reach.high = std::max(reach.high, b[2 * axis + 1]);
     if (frame.alpha[c] < 0.5) continue;
-    wet_low = std::min(wet_low, b[2 * axis]);
-    wet_high = std::max(wet_high, b[2 * axis + 1]);
+    reach.wet_low = std::min(reach.wet_low, b[2 * axis]);
+    reach.wet_high = std::max(reach.wet_high, b[2 * axis + 1]);
   }
-  return wet_high > wet_low ? (wet_high - wet_low) / (high - low) : 0.0;
+  return reach;
+}
+
+/// What the user says must fit the gravity and the plane of the case.
+void check_stated(const FileAxes& stated, std::size_t up, double sign,
+                  std::optional<std::size_t> empty) {
+  if (stated.axis[1] == up && stated.sign[1] == sign && stated.axis[0] != empty) return;
+  throw Error("axes: found \"" + stated.text() + "\", expected the axis along the surge and " +
+              (sign < 0.0 ? "-" : "") + "xyz"[up] + ", which points up by the case's gravity");
 }
 
 }  // namespace
 
-FoamAxes foam_axes(const Vec3& gravity, std::optional<std::size_t> empty, const MeshFrame& start) {
+FoamAxes foam_axes(const Vec3& gravity, std::optional<std::size_t> empty, const MeshFrame& start,
+                   const std::optional<FileAxes>& stated) {
   const double g = std::hypot(gravity[0], gravity[1], gravity[2]);
   std::optional<std::size_t> up;
   for (std::size_t a = 0; a < 3; ++a)
@@ -47,20 +70,30 @@ FoamAxes foam_axes(const Vec3& gravity, std::optional<std::size_t> empty, const 
   std::size_t surge = level.front();
   // In 3D the column spans the tank across the surge. Where that does not tell, it is the first.
   constexpr double whole = 1.0 - 1e-6;
-  if (level.size() == 2 && covered(start, level[0]) >= whole && covered(start, level[1]) < whole)
+  if (level.size() == 2 && reach_of(start, level[0]).covered() >= whole &&
+      reach_of(start, level[1]).covered() < whole)
     surge = level[1];
   const double sign = gravity[*up] < 0.0 ? 1.0 : -1.0;
+  double along = 1.0;
+  if (stated) {
+    check_stated(*stated, *up, sign, empty);
+    surge = stated->axis[0];
+    along = stated->sign[0];
+  } else if (reach_of(start, surge).is_at_upper_end()) {
+    along = -1.0;
+  }
   FoamAxes axes;
-  if (surge == 0 && sign > 0.0) return axes;
+  if (surge == 0 && sign > 0.0 && along > 0.0) return axes;
   const std::size_t across = 3 - surge - *up;
   // Upwards stays y where it was y, and is z otherwise.
   const std::size_t target = *up == 1 ? 1 : 2;
   axes.from = {surge, across, across};
   axes.from[target] = *up;
   axes.sign[target] = sign;
+  axes.sign[0] = along;
   // The third axis makes the system right-handed.
   const bool even = (axes.from[1] + 3 - axes.from[0]) % 3 == 1;
-  axes.sign[3 - target] = (even ? 1.0 : -1.0) * sign;
+  axes.sign[3 - target] = (even ? 1.0 : -1.0) * sign * along;
   return axes;
 }
 

@@ -74,7 +74,7 @@ void apply_properties(Physics& physics, FoamReader& reader) {
     if (const auto own = constant_file(reader, name + phase)) take(*own);
   }
   const bool found = physics.density && physics.kinematic_viscosity;
-  if (!found && transport) take(transport->dictionary(phase));
+  if (!found && transport && transport->has_dictionary(phase)) take(transport->dictionary(phase));
   if (!physics.density || !physics.kinematic_viscosity)
     reader.tell("no density and viscosity of " + (phase.empty() ? reader.alpha() : phase) +
                 " in constant/ (physicalProperties, transportProperties): not compared");
@@ -206,9 +206,10 @@ void check_gaps(FoamReader& reader) {
                 six_digits(stated.end) + " s (not finished?)");
 }
 
-void settle_axes(FoamReader& reader, const Vec3& gravity, std::optional<std::size_t> empty) {
+void settle_axes(FoamReader& reader, const Vec3& gravity, std::optional<std::size_t> empty,
+                 const std::optional<FileAxes>& stated) {
   const auto frame = std::get<MeshFrame>(reader.read(0, Fields{}));
-  const FoamAxes axes = foam_axes(gravity, empty, frame);
+  const FoamAxes axes = foam_axes(gravity, empty, frame, stated);
   if (axes == FoamAxes{}) return;
   reader.set_axes(axes);
   const auto name = [&](std::size_t a) {
@@ -223,6 +224,7 @@ void settle_axes(FoamReader& reader, const Vec3& gravity, std::optional<std::siz
 void apply_foam_case(Run& run, const SourceOptions& options) {
   auto& reader = dynamic_cast<FoamReader&>(*run.frames);
   run.method = "vof";
+  run.reading["alpha_array"] = reader.alpha();
   Physics& physics = run.physics;
   const Vec3 gravity = gravity_of(reader, options);
   apply_properties(physics, reader);
@@ -233,7 +235,7 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
     reader.tell(std::string("one layer of cells along ") + axis_names[*empty] +
                 ": read as a 2D case");
   }
-  settle_axes(reader, gravity, empty);
+  settle_axes(reader, gravity, empty, options.axes);
   settle_start(reader);
   check_gaps(reader);
   const auto frame = std::get<MeshFrame>(reader.read(0, Fields{}));

@@ -20,7 +20,7 @@ namespace surge::compare {
 /// in 3D the water at the start says along which way it does not fill the tank. Throws surge::Error
 /// where gravity is oblique, zero, or along `empty`.
 [[nodiscard]] FoamAxes foam_axes(const Vec3& gravity, std::optional<std::size_t> empty,
-                                 const MeshFrame& start);
+                                 const MeshFrame& start, const std::optional<FileAxes>& stated);
 
 /// Mean depth of the water (m) over equal bins of length `bin` from x = `begin` on.
 struct WaterDepths {

@@ -99,8 +99,12 @@ std::vector<double> FoamDictionary::numbers(const std::string& key, std::size_t 
       if (found.size() > 200) break;
       found += (found.empty() ? "" : " ") + token;
     }
+    const bool code = found.find("#calc") != std::string::npos ||
+                      found.find("#code") != std::string::npos ||
+                      found.find("#eval") != std::string::npos;
     throw Error(place_ + ": " + key + ": \"" + found + "\" found, " + std::to_string(count) +
-                (count == 1 ? " finite number expected" : " finite numbers expected"));
+                (count == 1 ? " finite number expected" : " finite numbers expected") +
+                (code ? " (#calc, #codeStream and #eval are not carried out)" : ""));
   }
   return numbers;
 }

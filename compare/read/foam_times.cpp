@@ -34,6 +34,11 @@ bool is_no_finite_time(const std::string& name) {
   return end == name.data() + name.size() && !time_of(name);
 }
 
+[[noreturn]] void refuse_same(const fs::path& folder, const std::string& a, const std::string& b) {
+  throw Error(folder.string() + ": " + a + " and " + b +
+              " are the same time, one of them expected");
+}
+
 std::string list_text(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -84,10 +89,13 @@ std::map<double, std::string> foam_time_folders(const fs::path& folder) {
     const auto time = time_of(name);
     if (!time) continue;
     const auto [entry, is_new] = times.emplace(*time + 0.0, name);
-    if (!is_new) {
-      throw Error(folder.string() + ": " + entry->second + " and " + name +
-                  " are the same time, one of them expected");
-    }
+    if (!is_new) refuse_same(folder, entry->second, name);
+  }
+  // 0.1 and 0.1000000000001, where timePrecision grew on the way.
+  for (auto here = times.begin(); here != times.end(); ++here) {
+    const auto next = std::next(here);
+    if (next != times.end() && next->first - here->first <= 1e-9 * std::abs(next->first))
+      refuse_same(folder, here->second, next->second);
   }
   return times;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "compare/read/first_column.hpp"
 #include "compare/read/first_frame.hpp"
 #include "compare/read/foam_case.hpp"
 #include "compare/read/layouts.hpp"
@@ -17,25 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string vector_text(const Vec3& x) {
-  std::ostringstream text;
-  text << '(' << number_text(x[0]) << ", " << number_text(x[1]) << ", " << number_text(x[2]) << ')';
-  return text.str();
-}
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-Extent extent_of(const std::vector<Vec3>& points) {
-  Extent box;
-  box.lower.fill(std::numeric_limits<double>::infinity());
-  box.upper.fill(-std::numeric_limits<double>::infinity());
-  for (const Vec3& x : points)
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (!std::isfinite(x[a])) continue;
-      box.lower[a] = std::min(box.lower[a], x[a]);
-      box.upper[a] = std::max(box.upper[a], x[a]);
-    }
-  return box;
+std::string comma_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
 }
 
 /// The first frame as the files have it, for what is asked and guessed.
@@ -58,9 +44,12 @@ struct FirstTable {
     const ParticleArray* type = options.all_fluid ? nullptr : table.find(options.type_array);
     if (type == nullptr || type->components != 1 || type->values.size() != position.size())
       return position;
+    const FluidTypes types(options);
+    if (type->is_text() == types.words.empty()) return position;
+    const std::vector<bool> is_fluid = types.fluid(*type, file);
     std::vector<Vec3> found;
     for (std::size_t i = 0; i < position.size(); ++i)
-      if (options.fluid_type.value_or(0).contain(type->values[i])) found.push_back(position[i]);
+      if (is_fluid[i]) found.push_back(position[i]);
     return found;
   }
 
@@ -118,7 +107,16 @@ void settle_type(const FirstTable& first, SourceOptions& options, Questions& que
   options.type_required = true;
   if (options.fluid_type) return;
   const std::vector<double>& values = named->values;
-  if (values.size() == 1) {
+  if (!named->words.empty()) {
+    std::vector<std::string> fluid;
+    for (const std::string& word : named->words)
+      if (names_fluid(word)) fluid.push_back(word);
+    if (fluid.size() != 1)
+      return questions.ask("--fluid-type: which words of " + named->text() + " are fluid");
+    options.fluid_type = TypeValues::parse(fluid, named->name);
+    options.stated["fluid_type"] = fluid;
+    assumed.push_back("fluid where " + named->name + " is " + fluid.front() + " (--fluid-type)");
+  } else if (values.size() == 1) {
     options.fluid_type = TypeValues(std::lround(values[0]));
     assumed.push_back("all particles are fluid: " + named->name + " is " + number_text(values[0]) +
                       " everywhere");
@@ -128,6 +126,16 @@ void settle_type(const FirstTable& first, SourceOptions& options, Questions& que
     options.fluid_type = TypeValues(0);
     assumed.push_back("fluid where " + named->name + " is 0 (--fluid-type)");
   }
+}
+
+/// Pressures and velocities that the files do not hold, and that nobody named, are not read.
+void drop_absent_fields(const FirstTable& first, SourceOptions& options) {
+  const auto absent = [&](const std::string& name) { return first.table.find(name) == nullptr; };
+  if (!options.stated.contains("pressure_array") && absent(options.pressure_array))
+    options.pressure_array.clear();
+  const std::vector<std::string>& names = options.velocity_array;
+  if (!options.stated.contains("velocity_array") && std::any_of(names.begin(), names.end(), absent))
+    options.velocity_array.clear();
 }
 
 /// The plane of a 2D run tells which axis points up.
@@ -148,117 +156,6 @@ void settle_axes(const std::vector<Vec3>& fluid, SourceOptions& options,
   if (!flat(2)) assumed.emplace_back("y points upwards (--vertical or --axes)");
 }
 
-/// Particles of the column: of water that lies in the tank, what stands out of it.
-std::vector<Vec3> column_of(const Run& run, const ParticleFrame& frame,
-                            const SourceOptions& options) {
-  if (!options.bed_depth) return frame.position;
-  const auto up = static_cast<std::size_t>(run.physics.vertical_axis());
-  const double bed =
-      extent_of(frame.position).lower[up] - 0.5 * run.spacing.value() + options.bed_depth->value();
-  std::vector<Vec3> above;
-  for (const Vec3& x : frame.position)
-    if (x[up] > bed) above.push_back(x);
-  if (above.empty())
-    throw Error(run.path.string() + ": --bed-depth: found no water above " +
-                number_text(options.bed_depth->value()) + " m, a column expected");
-  return above;
-}
-
-/// Column and tank of a foreign particle series: from its first frame and from what the user says.
-void apply_first_frame(Run& run, const ParticleFrame& frame, const SourceOptions& options) {
-  run.method = "particles";
-  run.spacing = *options.spacing;
-  const auto up = static_cast<std::size_t>(options.axes ? 1 : options.vertical_axis);
-  Physics& physics = run.physics;
-  physics.gravity = Vec3{};
-  physics.gravity[up] = -*options.gravity;
-  const Extent water = extent_of(frame.position);
-  physics.column = extent_of(column_of(run, frame, options));
-  physics.column.lower[up] = water.lower[up];
-  const bool flat = water.upper[2] - water.lower[2] < run.spacing.value();
-  physics.dimension = options.dimension.value_or(flat && up != 2 ? 2 : 3);
-  for (std::size_t a = 0; a < 3; ++a) {
-    physics.column.lower[a] -= 0.5 * run.spacing.value();
-    physics.column.upper[a] += 0.5 * run.spacing.value();
-  }
-}
-
-/// The first frame's faces are where the column is measured from; one stray particle must not make
-/// one.
-void tell_lone_faces(Run& run, const std::vector<Vec3>& column) {
-  if (column.size() < 20) return;
-  const double near = 0.25 * run.spacing.value();
-  for (std::size_t a = 0; a < static_cast<std::size_t>(run.physics.dimension); ++a) {
-    double low = column[0][a], high = low;
-    for (const Vec3& x : column) {
-      low = std::min(low, x[a]);
-      high = std::max(high, x[a]);
-    }
-    std::size_t at_low = 0, at_high = 0;
-    for (const Vec3& x : column) {
-      if (x[a] < low + near) ++at_low;
-      if (x[a] > high - near) ++at_high;
-    }
-    for (const auto& [count, face] : {std::pair{at_low, low}, std::pair{at_high, high}})
-      if (count == 1)
-        run.notices.push_back("one particle alone makes the column's face at " + six_digits(face) +
-                              " m along " + "xyz"[a] + " in the first frame");
-  }
-}
-
-/// What the user says about the tank: walls that are not known are not finite.
-std::optional<Extent> stated_tank(const Physics& physics, const SourceOptions& options) {
-  if (!options.tank_width && !options.tank_height) return std::nullopt;
-  const auto up = static_cast<std::size_t>(physics.vertical_axis());
-  Extent tank;
-  tank.lower.fill(unknown);
-  tank.upper.fill(unknown);
-  tank.lower[0] = physics.column.lower[0];
-  tank.lower[up] = physics.column.lower[up];
-  if (options.tank_width) tank.upper[0] = tank.lower[0] + options.tank_width->value();
-  if (options.tank_height) tank.upper[up] = tank.lower[up] + options.tank_height->value();
-  return tank;
-}
-
-Vec3 centre_of(const std::vector<Vec3>& points) {
-  Vec3 sum{};
-  for (const Vec3& x : points)
-    for (std::size_t a = 0; a < 3; ++a) sum[a] += x[a] / static_cast<double>(points.size());
-  return sum;
-}
-
-/// Water that starts at rest falls along gravity: its centre sinks along that axis and no other.
-void check_fall(Run& run, const ParticleFrame& first, bool stated) {
-  const std::size_t frames = run.frames->times().size();
-  if (frames < 2) return;
-  const auto last = std::get<ParticleFrame>(run.frames->read(frames - 1, Fields{}));
-  const Vec3 a = centre_of(first.position), b = centre_of(last.position);
-  const auto up = static_cast<std::size_t>(run.physics.vertical_axis());
-  const double l0 = run.spacing.value();
-  const double sunk = a[up] - b[up];
-  if (sunk > -0.5 * l0) {
-    // Sideways the water may go as it likes, but across the surge it has no reason to.
-    const std::size_t across = 3 - up;
-    const double aside = a[across] - b[across];
-    if (run.physics.dimension == 2 || aside < 0.5 * l0 || aside < 4.0 * std::abs(sunk)) return;
-  }
-  const std::string found = "from the first frame to the last the water's centre moves by " +
-                            vector_text({b[0] - a[0], b[1] - a[1], b[2] - a[2]}) + " m; ";
-  // Waves and tanks that move may lift water; that is for who states the axes to know.
-  if (!stated)
-    throw Error(run.path.string() + ": " + found +
-                "it cannot rise along the axis that points up (--vertical, --axes)");
-  run.notices.push_back(found +
-                        "water at rest does not rise along the axis that points up (--axes)");
-}
-
-void require_start(const Run& run, const std::string& option) {
-  const double first = run.frames->times().front().value();
-  if (std::abs(first) > 1e-12)
-    throw Error(run.path.string() + ": the first time is " + number_text(first) +
-                " s: the column at time 0 expected, or " + option);
-}
-
 /// A folder without particle files may have one that has.
 void require_files(const Run& run, const fs::path& path) {
   if (!fs::is_directory(path) || !stems_of(path).empty()) return;
@@ -266,12 +163,30 @@ void require_files(const Run& run, const fs::path& path) {
   for (const fs::directory_entry& entry : fs::directory_iterator(path))
     if (entry.is_directory() && !stems_of(entry.path()).empty())
       inner += "\n  " + entry.path().string();
+  const std::string unread = unread_file_in(path);
   throw Error(
       run.path.string() +
       ": neither manifest.json, system/controlDict nor numbered files of particles (.vtp, "
       ".vtu, .vtk, .csv, .hdf5, dumps) found, a run folder, an OpenFOAM case or a series of "
       "particle files expected" +
-      (inner.empty() ? "" : "; files of particles are in" + inner));
+      (inner.empty() ? "" : "; files of particles are in" + inner) +
+      (unread.empty() ? "" : "; " + unread));
+}
+
+/// How the files are read, by whoever it was decided.
+std::map<std::string, std::string> reading_of(const Run& run, const Layout& layout,
+                                              const SourceOptions& options) {
+  std::map<std::string, std::string> facts{{"spacing", number_text(options.spacing->value())},
+                                           {"gravity", number_text(*options.gravity)},
+                                           {"dimension", std::to_string(run.physics.dimension)},
+                                           {"axes", options.axes ? options.axes->text()
+                                                    : options.vertical_axis == 2 ? "x, z"
+                                                                                 : "x, y"}};
+  if (!layout.program.empty()) facts["program"] = layout.program;
+  if (!options.position_array.empty()) facts["position_array"] = comma_list(options.position_array);
+  if (!options.all_fluid) facts["type_array"] = options.type_array;
+  facts["fluid_type"] = options.all_fluid ? "all" : FluidTypes(options).text();
+  return facts;
 }
 
 }  // namespace
@@ -303,18 +218,15 @@ void open_foreign_series(Run& run, const SourceOptions& stated) {
   questions.fail(run, layout, first);
 
   settle_axes(fluid, options, assumed);
+  drop_absent_fields(first, options);
   auto series = std::make_unique<ParticleSeries>(std::move(entries), options);
   ParticleSeries& reader = *series;
   run.frames = std::move(series);
-  const auto frame = std::get<ParticleFrame>(reader.read(0, Fields{}));
-  apply_first_frame(run, frame, options);
-  check_first_frame(run, frame, options);
-  reader.expect(run.spacing, stated_tank(run.physics, options));
   run.notices = layout.notices();
-  check_fall(run, frame, stated.axes || stated.vertical_stated);
-  if (!options.column_width) require_start(run, "--column-width");
-  tell_lone_faces(run, column_of(run, frame, options));
+  settle_column(run, options, stated.axes || stated.vertical_stated,
+                [&](Metres spacing, const auto& tank) { reader.expect(spacing, tank); });
   for (const std::string& line : assumed) run.notices.push_back("assumed: " + line);
+  run.reading = reading_of(run, layout, options);
 }
 
 }  // namespace surge::compare

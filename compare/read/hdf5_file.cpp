@@ -86,13 +86,23 @@ bool Hdf5File::has_group(const std::string& group) const {
   return opened.valid();
 }
 
+namespace {
+
+/// Not valid where the file has none of that name itself: what lies in another file is not
+/// followed.
+Hdf5Handle own_data_set(hid_t file, const std::string& path) {
+  H5L_info_t link;
+  if (H5Lget_info(file, path.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD)
+    return {H5I_INVALID_HID, H5Dclose};
+  return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose};
+}
+
+}  // namespace
+
 std::optional<Hdf5File::DataSet> Hdf5File::data_set(const std::string& group,
                                                     const std::string& name) const {
   const std::string path = join(group, name);
-  H5L_info_t link;
-  if (H5Lget_info(file_.id(), path.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD)
-    return std::nullopt;
-  const Hdf5Handle set(H5Dopen2(file_.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle set = own_data_set(file_.id(), path);
   if (!set.valid()) return std::nullopt;
   const Hdf5Handle type(H5Dget_type(set.id()), H5Tclose);
   const Hdf5Handle space(H5Dget_space(set.id()), H5Sclose);
@@ -128,6 +138,25 @@ std::vector<Hdf5File::DataSet> Hdf5File::data_sets(const std::string& group) con
   return sets;
 }
 
+namespace {
+
+/// Whether every chunk of a data set is there. H5Dget_space_status compares bytes, so that
+/// compressed values look as if a part of them were missing.
+bool has_all_chunks(hid_t opened, hid_t created, const Hdf5File::DataSet& set) {
+  hsize_t chunk[2] = {0, 1};
+  const int rank = H5Pget_chunk(created, 2, chunk);
+  const hsize_t sizes[2] = {set.count, set.columns};
+  hsize_t expected = 1, found = 0;
+  for (int a = 0; a < rank && a < 2; ++a) {
+    if (chunk[a] == 0) return false;
+    expected *= (sizes[a] + chunk[a] - 1) / chunk[a];
+  }
+  const Hdf5Handle space(H5Dget_space(opened), H5Sclose);
+  return rank > 0 && H5Dget_num_chunks(opened, space.id(), &found) >= 0 && found == expected;
+}
+
+}  // namespace
+
 std::vector<double> Hdf5File::values(const std::string& group, const DataSet& set) const {
   const std::string path = join(group, set.name);
   check_path(path);
@@ -148,15 +177,30 @@ std::vector<double> Hdf5File::values(const std::string& group, const DataSet& se
   const hsize_t stored = H5Dget_storage_size(opened.id());
   if (stored == 0) fail("announces values and holds none");
   if (total / 2000 > stored) fail("more values than it can hold");
-  if (layout == H5D_CHUNKED) {
-    H5D_space_status_t status = H5D_SPACE_STATUS_ERROR;
-    if (H5Dget_space_status(opened.id(), &status) < 0 || status != H5D_SPACE_STATUS_ALLOCATED)
-      fail("a part of its values was never written");
-  }
+  if (layout == H5D_CHUNKED && !has_all_chunks(opened.id(), created.id(), set))
+    fail("a part of its values was never written");
   values.resize(total);
   if (H5Dread(opened.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
     fail("cannot be read (is the file cut short?)");
   return values;
+}
+
+std::optional<double> Hdf5File::number(const std::string& path) const {
+  const auto slash = path.rfind('/');
+  if (slash != std::string::npos && !has_group(path.substr(0, slash))) return std::nullopt;
+  const Hdf5Handle set = own_data_set(file_.id(), path);
+  if (!set.valid()) return std::nullopt;
+  const Hdf5Handle type(H5Dget_type(set.id()), H5Tclose);
+  const Hdf5Handle space(H5Dget_space(set.id()), H5Sclose);
+  const Hdf5Handle created(H5Dget_create_plist(set.id()), H5Pclose);
+  if (type_name(type.id()).empty() || H5Sget_simple_extent_npoints(space.id()) != 1 ||
+      H5Pget_layout(created.id()) == H5D_VIRTUAL || H5Pget_external_count(created.id()) != 0 ||
+      H5Dget_storage_size(set.id()) == 0)
+    return std::nullopt;
+  double value = 0.0;
+  if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value) < 0)
+    return std::nullopt;
+  return value;
 }
 
 std::optional<double> Hdf5File::attribute(const std::string& object,

@@ -53,6 +53,8 @@ class Hdf5File {
   [[nodiscard]] std::vector<DataSet> data_sets(const std::string& group) const;
   /// The values of a data set as doubles, its rows one after the other.
   [[nodiscard]] std::vector<double> values(const std::string& group, const DataSet& set) const;
+  /// The number that a data set holds alone; empty where there is none.
+  [[nodiscard]] std::optional<double> number(const std::string& path) const;
   /// A number in an attribute; empty where there is none.
   [[nodiscard]] std::optional<double> attribute(const std::string& object,
                                                 const std::string& name) const;

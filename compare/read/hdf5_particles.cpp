@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "compare/read/hdf5_file.hpp"
+#include "compare/read/isolated.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
@@ -14,8 +15,8 @@ std::vector<std::string> patterns_of(const SourceOptions& options) {
   return options.groups.empty() ? std::vector<std::string>{""} : options.groups;
 }
 
-/// The time of a part: an attribute `group@name`, else one with a usual name of the group of the
-/// time, of its parents or of the file.
+/// The time of a part: an attribute `group@name` or a data set with one number, else one with a
+/// usual name in the group of the time, in its parents or in the file.
 std::optional<double> time_of_part(const fs::path& path, const Hdf5File& file,
                                    const std::string& group, const std::string& star,
                                    const SourceOptions& options) {
@@ -25,15 +26,18 @@ std::optional<double> time_of_part(const fs::path& path, const Hdf5File& file,
         at == std::string::npos ? "" : group_of(options.time_array.substr(0, at), star);
     const std::string name =
         at == std::string::npos ? options.time_array : options.time_array.substr(at + 1);
-    const auto time = file.attribute(object, name);
+    auto time = file.attribute(object, name);
+    if (!time && at == std::string::npos) time = file.number(group_of(name, star));
     if (!time)
       throw Error(path.string() + ": no number in the attribute " + object + "@" + name +
-                  " (--time-array)");
+                  (at == std::string::npos ? " or the data set " + name : "") + " (--time-array)");
     return time;
   }
   for (std::string object = group;;) {
-    for (const char* name : {"time", "Time", "TIME", "TimeValue", "t"})
+    for (const char* name : {"time", "Time", "TIME", "TimeValue", "t"}) {
       if (const auto time = file.attribute(object, name)) return time;
+      if (const auto time = file.number(object.empty() ? name : object + "/" + name)) return time;
+    }
     if (object.empty()) return std::nullopt;
     const auto slash = object.rfind('/');
     object = slash == std::string::npos ? "" : object.substr(0, slash);
@@ -59,7 +63,9 @@ void append(ParticleTable& table, ParticleTable more, const fs::path& file,
 
 }  // namespace
 
-std::vector<FilePart> hdf5_parts(const fs::path& file, const SourceOptions& options) {
+namespace {
+
+std::vector<FilePart> parts_in(const fs::path& file, const SourceOptions& options) {
   const Hdf5File opened(file);
   const std::string pattern = patterns_of(options).front();
   std::vector<FilePart> parts;
@@ -78,8 +84,8 @@ std::vector<FilePart> hdf5_parts(const fs::path& file, const SourceOptions& opti
   return parts;
 }
 
-ParticleTable read_hdf5(const fs::path& file, const FilePart& part, const ArrayNames& wanted,
-                        const SourceOptions& options) {
+ParticleTable table_in(const fs::path& file, const FilePart& part, const ArrayNames& wanted,
+                       const SourceOptions& options) {
   const Hdf5File opened(file);
   ParticleTable table;
   for (const std::string& pattern : patterns_of(options)) {
@@ -111,6 +117,19 @@ ParticleTable read_hdf5(const fs::path& file, const FilePart& part, const ArrayN
     append(table, std::move(found), file, group);
   }
   return table;
+}
+
+}  // namespace
+
+std::vector<FilePart> hdf5_parts(const fs::path& file, const SourceOptions& options) {
+  require_regular(file);
+  return parts_in_child(file, [&] { return parts_in(file, options); });
+}
+
+ParticleTable read_hdf5(const fs::path& file, const FilePart& part, const ArrayNames& wanted,
+                        const SourceOptions& options) {
+  require_regular(file);
+  return table_in_child(file, [&] { return table_in(file, part, wanted, options); });
 }
 
 }  // namespace surge::compare

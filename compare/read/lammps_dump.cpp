@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -75,6 +76,8 @@ class Dump {
   /// Of the axis, lower and upper.
   [[nodiscard]] const std::array<double, 2>& bounds(std::size_t axis) const { return box_[axis]; }
   [[nodiscard]] bool has_box() const { return has_box_; }
+  [[nodiscard]] bool tilted() const { return tilted_; }
+  [[nodiscard]] bool periodic() const { return periodic_; }
   [[nodiscard]] bool open_end() const { return lines_.open_end(); }
   [[nodiscard]] const std::string& units() const { return units_; }
 
@@ -103,18 +106,27 @@ class Dump {
     } else if (words[0] == "NUMBER") {
       part_.count = static_cast<std::size_t>(whole(value()));
     } else if (words[0] == "BOX") {
-      if (std::find(words.begin(), words.end(), "xy") != words.end())
-        fail("a tilted box found, one along the axes expected");
-      for (std::array<double, 2>& axis : box_) {
-        std::vector<std::string_view> ends;
-        split_fields(value(), ' ', ends);
-        if (ends.size() != 2) fail("two ends of the box expected");
-        axis = {number(ends[0]), number(ends[1])};
-      }
-      has_box_ = true;
+      box(words);
     } else {
       fail("\"ITEM: " + std::string(words[0]) + "\" found, an atom dump in text expected");
     }
+  }
+
+  /// `BOX BOUNDS ff ff pp`, or `BOX BOUNDS xy xz yz ff ff pp` with a tilt behind each axis' ends.
+  void box(const std::vector<std::string_view>& words) {
+    const bool may_tilt = std::find(words.begin(), words.end(), "xy") != words.end();
+    tilted_ = false;
+    for (std::array<double, 2>& axis : box_) {
+      std::vector<std::string_view> ends;
+      split_fields(value(), ' ', ends);
+      if (ends.size() != (may_tilt ? 3U : 2U))
+        fail(may_tilt ? "two ends of the box and a tilt expected" : "two ends of the box expected");
+      axis = {number(ends[0]), number(ends[1])};
+      if (may_tilt && number(ends[2]) != 0.0) tilted_ = true;
+    }
+    has_box_ = true;
+    const std::size_t first = may_tilt ? 5 : 2;
+    periodic_ = words.size() > first && words[first] == "pp";
   }
 
   double whole(std::string_view word) const {
@@ -134,6 +146,8 @@ class Dump {
   std::vector<std::string_view> fields_;
   std::array<std::array<double, 2>, 3> box_{};
   bool has_box_ = false;
+  bool tilted_ = false;
+  bool periodic_ = false;  ///< along x
 };
 
 /// Scaled coordinates (xs, xsu) of the box as metres.
@@ -143,6 +157,7 @@ void unscale(ParticleTable& table, const Dump& dump) {
       const std::string axis(1, "xyz"[a]);
       if (array.name != axis + "s" && array.name != axis + "su") continue;
       if (!dump.has_box()) dump.fail("scaled coordinates " + array.name + " without BOX BOUNDS");
+      if (dump.tilted()) dump.fail("scaled coordinates " + array.name + " of a tilted box");
       const auto [lower, upper] = dump.bounds(a);
       for (double& x : array.values) x = lower + x * (upper - lower);
     }
@@ -183,10 +198,15 @@ ParticleTable read_lammps(const fs::path& file, const FilePart& part, const Arra
     const std::vector<std::string_view>& fields = dump.row();
     for (std::size_t k = 0; k < columns.size(); ++k) {
       ParticleArray& array = table.arrays[k];
-      // A column of names (element) is none of ours.
-      const bool text = !wanted && !number_in(fields[columns[k]]);
-      if (text) array.type = "text";
-      array.values.push_back(text ? std::nan("") : dump.number(fields[columns[k]]));
+      const std::string_view field = fields[columns[k]];
+      // A column of names (element).
+      const bool word =
+          !number_in(field) && std::isalpha(static_cast<unsigned char>(field[0])) != 0;
+      if (i == 0 ? word : array.is_text()) {
+        array.add_word(std::string(field));
+      } else {
+        array.values.push_back(dump.number(field));
+      }
     }
   }
   unscale(table, dump);
@@ -194,6 +214,12 @@ ParticleTable read_lammps(const fs::path& file, const FilePart& part, const Arra
     table.notes.push_back("units \"" + dump.units() +
                           "\" are stated in the dump: lengths are taken "
                           "as the options say (--length-unit, --time-unit)");
+  const auto has = [&](const char* name) {
+    return std::find(dump.columns().begin(), dump.columns().end(), name) != dump.columns().end();
+  };
+  if (dump.periodic() && !has("xu") && !has("xsu"))
+    table.notes.emplace_back(
+        "the box is periodic along x: particles that leave it are back at its other end (dump xu)");
   if (dump.open_end()) table.notes.push_back("the last line has no end: is the file cut short?");
   return table;
 }

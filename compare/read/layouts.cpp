@@ -176,9 +176,10 @@ std::vector<std::string> Layout::notices() const {
 
 Layout recognise(const fs::path& path, const SourceOptions& stated) {
   const SourceView view(path, stated);
-  for (const auto recogniser : {recognise_dualsphysics, recognise_pysph, recognise_trixi,
-                                recognise_sphinxsys, recognise_splishsplash, recognise_mps,
-                                recognise_openmps, recognise_lammps, recognise_names}) {
+  for (const auto recogniser :
+       {recognise_dualsphysics, recognise_pysph, recognise_trixi, recognise_sphinxsys,
+        recognise_splishsplash, recognise_mps, recognise_openmps, recognise_gadget,
+        recognise_gpusph, recognise_aquagpusph, recognise_lammps, recognise_names}) {
     Layout layout;
     layout.path = path;
     layout.options = stated;

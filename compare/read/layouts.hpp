@@ -82,6 +82,9 @@ bool recognise_sphinxsys(const SourceView& view, Layout& layout);
 bool recognise_splishsplash(const SourceView& view, Layout& layout);
 bool recognise_mps(const SourceView& view, Layout& layout);
 bool recognise_openmps(const SourceView& view, Layout& layout);
+bool recognise_gadget(const SourceView& view, Layout& layout);
+bool recognise_gpusph(const SourceView& view, Layout& layout);
+bool recognise_aquagpusph(const SourceView& view, Layout& layout);
 bool recognise_lammps(const SourceView& view, Layout& layout);
 bool recognise_names(const SourceView& view, Layout& layout);
 

@@ -161,6 +161,45 @@ bool recognise_openmps(const SourceView& view, Layout& layout) {
   return true;
 }
 
+// GPUSPH 5: data/PART_#####.vtp beside PLANES.vtu and WaveGage_#####.vtu, times in VTUinp.pvd,
+// which names them as groups; "Part type" 0 fluid, 1 boundary, 2 vertex, 3 test point; most
+// problems have z upwards.
+bool recognise_gpusph(const SourceView& view, Layout& layout) {
+  const std::string stem = "PART_*.vtp";
+  if (!view.stems().contains(stem)) return false;
+  const ParticleTable& table = view.table(stem);
+  if (!has_all(table, {"Part type", "Part id"})) return false;
+  layout.program = "GPUSPH";
+  layout.because = stem + " with Part type";
+  Names others;
+  for (const auto& [other, files] : view.stems())
+    if (other != stem) others.push_back(other);
+  choose(view, layout, {stem}, others);
+  layout.assume_type(table, "Part type", {0});
+  layout.assume_velocity({"Velocity"});
+  layout.assume_pressure("Pressure");
+  layout.assume_axes("x", "z");
+  layout.hints.emplace_back("name VTUinp.pvd instead of the folder: it holds the times");
+  return true;
+}
+
+// AQUAgpusph 3 to 5: <set>.<k>.vtu with "imove" 1 fluid, 0 sensors, negative for boundaries; times
+// in a collection beside them.
+bool recognise_aquagpusph(const SourceView& view, Layout& layout) {
+  for (const auto& [stem, files] : view.stems()) {
+    const ParticleTable& table = view.table(stem);
+    if (!has_all(table, {"imove"})) continue;
+    layout.program = "AQUAgpusph";
+    layout.because = "imove";
+    layout.assume_type(table, "imove", {1});
+    layout.assume_velocity({"u"});
+    layout.assume_pressure("p");
+    layout.hints.emplace_back("name the .pvd instead of the folder: it holds the times");
+    return true;
+  }
+  return false;
+}
+
 // LAMMPS: text dumps; the time of a step is asked for where the dump does not state it.
 bool recognise_lammps(const SourceView& view, Layout& layout) {
   if (view.stems().empty()) return false;

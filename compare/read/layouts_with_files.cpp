@@ -4,6 +4,7 @@
 
 #include "compare/read/delimited.hpp"
 #include "compare/read/hdf5_file.hpp"
+#include "compare/read/isolated.hpp"
 #include "compare/read/layouts.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
@@ -134,6 +135,27 @@ bool recognise_dualsphysics(const SourceView& given, Layout& layout) {
   return true;
 }
 
+namespace {
+
+/// The bodies of a file of PySPH; none of another's.
+Names pysph_bodies(const fs::path& file) {
+  std::istringstream said(in_child(file, [&] {
+    const Hdf5File opened(file);
+    std::string names;
+    if (!opened.has_group("particles") || !opened.has_group("solver_data")) return names;
+    for (const std::string& body : opened.members("particles", true)) {
+      if (!opened.has_group("particles/" + body + "/arrays")) return std::string();
+      names += body + '\n';
+    }
+    return names;
+  }));
+  Names bodies;
+  for (std::string body; std::getline(said, body);) bodies.push_back(body);
+  return bodies;
+}
+
+}  // namespace
+
 // PySPH: <case>_<step>.hdf5 with particles/<name>/arrays and the time as attribute t of
 // solver_data; x, y, z, u, v, w, p.
 bool recognise_pysph(const SourceView& view, Layout& layout) {
@@ -142,13 +164,9 @@ bool recognise_pysph(const SourceView& view, Layout& layout) {
   Names fluid, walls;
   try {
     if (format_of(file, layout.options) != Format::hdf5) return false;
-    const Hdf5File opened(file);
-    if (!opened.has_group("particles") || !opened.has_group("solver_data")) return false;
-    const Names bodies = opened.members("particles", true);
-    for (const std::string& body : bodies) {
-      if (!opened.has_group("particles/" + body + "/arrays")) return false;
-      (names_fluid(body) ? fluid : walls).push_back(body);
-    }
+    const Names bodies = pysph_bodies(file);
+    if (bodies.empty()) return false;
+    for (const std::string& body : bodies) (names_fluid(body) ? fluid : walls).push_back(body);
     const bool all_known = std::all_of(walls.begin(), walls.end(), names_wall);
     layout.program = "PySPH";
     layout.because = "particles/*/arrays and solver_data";
@@ -171,6 +189,93 @@ bool recognise_pysph(const SourceView& view, Layout& layout) {
   layout.assume_velocity({"u", "v", "w"});
   layout.assume_pressure("p");
   layout.assume_all_fluid();
+  return true;
+}
+
+namespace {
+
+/// The units that a file of SWIFT states, in m, s and kg; none where it states none.
+struct StatedUnits {
+  std::optional<double> length;
+  std::optional<double> time;
+  std::optional<double> mass;
+
+  [[nodiscard]] std::optional<double> pressure() const {
+    if (!length || !time || !mass) return std::nullopt;
+    return *mass / (*length * *time * *time);
+  }
+};
+
+/// What a file in the manner of Gadget states; empty where it is none.
+struct GadgetFile {
+  bool is_one = false;
+  StatedUnits units;
+  Names others;  ///< kinds of particles beside PartType0
+};
+
+GadgetFile gadget_file(const fs::path& file) {
+  std::istringstream said(in_child(file, [&] {
+    const Hdf5File opened(file);
+    if (!opened.has_group("PartType0") || !opened.has_group("Header") ||
+        !opened.data_set("PartType0", "Coordinates"))
+      return std::string();
+    const auto unit = [&](const char* name) {
+      const auto value = opened.has_group("Units") ? opened.attribute("Units", name) : std::nullopt;
+      return value ? number_text(*value) : std::string("-");
+    };
+    std::string text = unit("Unit length in cgs (U_L)") + '\n' + unit("Unit time in cgs (U_t)") +
+                       '\n' + unit("Unit mass in cgs (U_M)") + '\n';
+    for (const std::string& group : opened.members("", true))
+      if (group.starts_with("PartType") && group != "PartType0") text += group + '\n';
+    return text;
+  }));
+  GadgetFile found;
+  std::string length, time, mass;
+  if (!std::getline(said, length) || !std::getline(said, time) || !std::getline(said, mass))
+    return found;
+  found.is_one = true;
+  if (const auto value = number_in(length)) found.units.length = 0.01 * *value;
+  found.units.time = number_in(time);
+  if (const auto value = number_in(mass)) found.units.mass = 1e-3 * *value;
+  for (std::string other; std::getline(said, other);) found.others.push_back(other);
+  return found;
+}
+
+}  // namespace
+
+// SWIFT, Gadget 4, GIZMO: snap_####.hdf5 with PartType0/Coordinates and Header@Time; SWIFT states
+// its units. PartType0 is what flows.
+bool recognise_gadget(const SourceView& view, Layout& layout) {
+  if (view.stems().empty()) return false;
+  SourceOptions& options = layout.options;
+  if (!options.groups.empty() && options.groups != Names{"PartType0"}) return false;
+  GadgetFile file;
+  try {
+    if (format_of(view.first_file(), options) != Format::hdf5) return false;
+    file = gadget_file(view.first_file());
+  } catch (const Error&) {
+    return false;  // who reads it says what is wrong
+  }
+  if (!file.is_one) return false;
+  layout.program = "SWIFT and Gadget";
+  layout.because = "PartType0/Coordinates and Header";
+  layout.assume(options.groups, {}, {"PartType0"}, "fluid in PartType0");
+  if (!file.others.empty()) layout.assumed.push_back("no fluid in " + file.others.front());
+  if (!options.time_step && options.time_file.empty() && options.time_array.empty())
+    options.time_array = "Header@Time";
+  layout.assume_position({"Coordinates"});
+  layout.assume_velocity({"Velocities"});
+  layout.assume_pressure("Pressures");
+  layout.assume_all_fluid();
+  const auto take = [&](double& unit, const std::optional<double>& stated, const std::string& key,
+                        const std::string& name) {
+    if (!stated || options.stated.contains(key) || *stated == unit) return;
+    unit = *stated;
+    layout.read.push_back(name + " of " + number_text(unit) + " read from Units");
+  };
+  take(options.units.length, file.units.length, "length_unit", "a unit of length in m");
+  take(options.units.time, file.units.time, "time_unit", "a unit of time in s");
+  take(options.units.pressure, file.units.pressure(), "pressure_unit", "a unit of pressure in Pa");
   return true;
 }
 

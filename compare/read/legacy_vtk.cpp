@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -46,6 +47,13 @@ ValueType value_type() {
   return {sizeof(T), decode<T>, vtkTypeTraits<T>::VTKTypeID()};
 }
 
+/// VTK's own reader does not mind the case of keywords and types.
+std::string cased(std::string word, int (*to)(int)) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [to](unsigned char c) { return static_cast<char>(to(c)); });
+  return word;
+}
+
 const ValueType* type_of(const std::string& name) {
   static const std::map<std::string, ValueType> types{
       {"char", value_type<std::int8_t>()},
@@ -61,7 +69,7 @@ const ValueType* type_of(const std::string& name) {
       {"vtkidtype", value_type<std::int32_t>()},
       {"vtktypeint64", value_type<std::int64_t>()},
       {"vtktypeuint64", value_type<std::uint64_t>()}};
-  const auto found = types.find(name);
+  const auto found = types.find(cased(name, std::tolower));
   return found == types.end() ? nullptr : &found->second;
 }
 
@@ -82,10 +90,11 @@ class Reader {
     (void)line();
     (void)line();
     const Words format = words();
-    if (format.empty() || (format[0] != "BINARY" && format[0] != "ASCII"))
+    const std::string kind = format.empty() ? "" : cased(format[0], std::toupper);
+    if (kind != "BINARY" && kind != "ASCII")
       fail("neither BINARY nor ASCII found in its third line");
-    binary_ = format[0] == "BINARY";
-    while (at_ < text_.size()) section(words());
+    binary_ = kind == "BINARY";
+    while (at_ < text_.size()) section(header_line());
     if (count_ == 0) fail("no points found, particles expected");
     return points_;
   }
@@ -107,6 +116,13 @@ class Reader {
     std::vector<std::string_view> fields;
     split_fields(line(), ' ', fields);
     return {fields.begin(), fields.end()};
+  }
+
+  /// The line that a section begins with.
+  Words header_line() {
+    Words found = words();
+    if (!found.empty()) found[0] = cased(found[0], std::toupper);
+    return found;
   }
 
   std::size_t count(const Words& header, std::size_t i) const {
@@ -166,11 +182,11 @@ class Reader {
     if (header.empty()) return;
     const std::string& name = header[0];
     if (name == "DATASET") {
-      if (header.size() < 2 || (header[1] != "POLYDATA" && header[1] != "UNSTRUCTURED_GRID"))
+      const std::string kind = header.size() < 2 ? "" : cased(header[1], std::toupper);
+      if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
         fail("a file of particles (DATASET POLYDATA or UNSTRUCTURED_GRID) expected");
     } else if (name == "METADATA") {
-      while (at_ < text_.size() && !words().empty()) {
-      }
+      skip_metadata();
     } else if (name == "POINT_DATA") {
       data_ = points_->GetPointData();
       tuples_ = count(header, 1);
@@ -190,6 +206,12 @@ class Reader {
       points_->SetPoints(points);
     } else if (!cells(header) && !attribute(header)) {
       fail("\"" + printable(name) + "\" found, a section of the legacy VTK format expected");
+    }
+  }
+
+  /// Up to a blank line.
+  void skip_metadata() {
+    while (at_ < text_.size() && !words().empty()) {
     }
   }
 
@@ -220,7 +242,7 @@ class Reader {
     if (surface && number > 0) mesh(static_cast<long long>(number));
     // From version 5 on the two counts are those of OFFSETS and CONNECTIVITY, which follow.
     const std::size_t before = at_;
-    const Words next = words();
+    const Words next = header_line();
     at_ = before;
     if (!next.empty() && next[0] == "OFFSETS") {
       sizes_ = {number, count(header, 2)};
@@ -258,7 +280,7 @@ class Reader {
     if (name == "SCALARS") {
       components = header.size() > 3 ? count(header, 3) : 1;
       const std::size_t before = at_;
-      const Words table = words();
+      const Words table = header_line();
       if (table.empty() || table[0] != "LOOKUP_TABLE") at_ = before;
     }
     if (components == 0) return false;
@@ -272,8 +294,8 @@ class Reader {
         fail("cut short: " + std::to_string(number) + " arrays of a FIELD are missing");
       const Words header = words();
       if (header.empty()) continue;
-      if (header[0] == "METADATA") {
-        section(header);
+      if (cased(header[0], std::toupper) == "METADATA") {
+        skip_metadata();
         continue;
       }
       if (header.size() < 4) fail("an array of a FIELD (name, components, values, type) expected");
@@ -286,7 +308,9 @@ class Reader {
     }
   }
 
-  void add(const std::string& name, const Values& array) {
+  /// "Particle%20Type", as VTK writes a name with a blank.
+  void add(const std::string& written, const Values& array) {
+    const std::string name = without_percent(written);
     array->SetName(name.c_str());
     if (data_ == nullptr) return;
     if (data_->HasArray(name.c_str()) != 0) fail("array " + name + ": a second one of this name");

@@ -1,10 +1,10 @@
 #include <cmath>
-#include <fstream>
 #include <set>
 
 #include "compare/read/readers.hpp"
 #include "compare/read/recorded.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 namespace {
@@ -58,7 +58,7 @@ class Entry {
   [[nodiscard]] Extent extent() const { return {at("lower").vector(), at("upper").vector()}; }
 
   [[noreturn]] void fail(const std::string& expected) const {
-    throw Error(place_ + ": " + value_.dump() + " found, " + expected + " expected");
+    throw Error(place_ + ": " + json_shown(value_) + " found, " + expected + " expected");
   }
 
  private:
@@ -73,16 +73,6 @@ class Entry {
 };
 
 }  // namespace
-
-json read_json(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) throw Error(file.string() + ": cannot be opened, a JSON file expected");
-  try {
-    return json::parse(in);
-  } catch (const json::exception& error) {  // also a number that is too large
-    throw Error(file.string() + ": not JSON: " + error.what());
-  }
-}
 
 void apply_manifest(Run& run, const fs::path& file) {
   run.manifest = read_manifest(file);
@@ -124,6 +114,8 @@ void apply_case(Run& run, const json& value, const std::string& place) {
     if (tank.has("open")) physics.open = tank.at("open").names();
     if (tank.has("periodic")) physics.periodic = tank.at("periodic").names();
   }
+  if (stated.has("motion")) physics.motion = value.at("motion");
+  if (stated.has("moving_walls")) physics.moving_walls = value.at("moving_walls");
   physics.column = (*physics.blocks)[column_among_blocks(physics)].box;
   if (stated.has("cells_per_L")) {
     run.cells_per_width = stated.at("cells_per_L").number();

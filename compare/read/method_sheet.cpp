@@ -1,10 +1,10 @@
 #include "compare/read/method_sheet.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
@@ -84,10 +84,11 @@ const MethodSheet::Function& MethodSheet::function(const std::string& wanted) co
 
 std::optional<MethodSheet> read_method_sheet(const Run& run) {
   const auto file = run.path / "method.json";
-  std::ifstream in(file);
-  if (!in) return std::nullopt;
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed)) return std::nullopt;
+  const json document = read_json(file);
   try {
-    return sheet_from(json::parse(in));
+    return sheet_from(document);
   } catch (const std::exception& error) {
     throw Error(file.string() + ": " + error.what());
   }

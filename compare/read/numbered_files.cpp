@@ -1,6 +1,7 @@
 #include "compare/read/numbered_files.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -90,7 +91,14 @@ std::optional<NameNumber> number_in_name(const fs::path& file) {
   if (!extension.empty() && last + 1 == stem.size() && first > 1 && stem[first - 1] == '.') {
     const auto whole = stem.find_last_not_of(digits, first - 2);
     const auto begin = whole == std::string::npos ? 0 : whole + 1;
-    const bool separated = whole == std::string::npos || stem[whole] != '.';
+    // "set0.5" is number 5 of set0; "t0.050" is a time.
+    const auto is_letter = [&](std::size_t at) {
+      return std::isalpha(static_cast<unsigned char>(stem[at])) != 0;
+    };
+    const bool separated =
+        whole == std::string::npos ||
+        (stem[whole] != '.' &&
+         (!is_letter(whole) || (stem[whole] == 't' && (whole == 0 || !is_letter(whole - 1)))));
     if (begin + 1 < first && separated && first - 1 - begin < 9 && text.size() < 9) {
       const std::string decimal = stem.substr(begin);
       found.time = number_in(decimal);

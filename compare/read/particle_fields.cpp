@@ -64,11 +64,13 @@ std::vector<std::string> usual_position(const ParticleTable& table) {
     std::vector<std::string> found;
     for (const std::string& name : names)
       for (const ParticleArray& array : table.arrays)
-        if (array.components == 1 && array.type != "text" && plain_name(array.name) == name) {
+        if (array.components == 1 && !array.is_text() && plain_name(array.name) == name) {
           found.push_back(array.name);
           break;
         }
     if (found.size() >= 2 && plain_name(found[0]) == names[0]) return found;
+    // A plane of y and z.
+    if (found.size() == 2 && &names == &usual.front()) return found;
   }
   return {};
 }
@@ -89,20 +91,59 @@ const ParticleArray& require_array(const ParticleTable& table, const std::string
   return *array;
 }
 
+FluidTypes::FluidTypes(const SourceOptions& options) : values(options.fluid_type.value_or(0)) {
+  if (!values.text().empty()) return;
+  const auto stated = options.stated.find("fluid_type");
+  if (stated != options.stated.end()) words = stated->second;
+}
+
+std::string FluidTypes::text() const {
+  std::string text = values.text();
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+std::vector<bool> FluidTypes::fluid(const ParticleArray& type, const fs::path& file) const {
+  if (type.is_text() == words.empty())
+    throw Error(file.string() + ": point array " + type.name + ": " +
+                (type.is_text() ? "words" : "numbers") + " found, fluid_type \"" + text() +
+                "\" expected among them");
+  std::vector<bool> of_word;
+  for (const std::string& word : type.words)
+    of_word.push_back(std::find(words.begin(), words.end(), word) != words.end());
+  std::vector<bool> found;
+  for (const double value : type.values) {
+    const auto place = static_cast<std::size_t>(value);
+    found.push_back(type.is_text() ? place < of_word.size() && of_word[place]
+                                   : values.contain(value));
+  }
+  return found;
+}
+
+/// Positions, velocities and pressures are numbers.
+const ParticleArray& require_numbers(const ParticleTable& table, const std::string& name,
+                                     int components, const fs::path& file) {
+  const ParticleArray& array = require_array(table, name, components, file);
+  if (array.is_text())
+    throw Error(file.string() + ": point array " + name + ": \"" + array.words.front() +
+                "\" found, numbers expected");
+  return array;
+}
+
 std::vector<Vec3> vectors(const ParticleTable& table, const VectorField& field,
                           const fs::path& file) {
   std::vector<Vec3> found(table.count, Vec3{});
   if (field.names.size() == 1) {
     const ParticleArray* named = table.find(field.names[0]);
     const int components = named != nullptr && named->components == 2 ? 2 : 3;
-    const ParticleArray& array = require_array(table, field.names[0], components, file);
+    const ParticleArray& array = require_numbers(table, field.names[0], components, file);
     const auto n = static_cast<std::size_t>(components);
     for (std::size_t i = 0; i < table.count; ++i)
       for (std::size_t c = 0; c < n; ++c) found[i][c] = array.values[i * n + c];
     return found;
   }
   for (std::size_t k = 0; k < field.names.size(); ++k) {
-    const ParticleArray& array = require_array(table, field.names[k], 1, file);
+    const ParticleArray& array = require_numbers(table, field.names[k], 1, file);
     for (std::size_t i = 0; i < table.count; ++i) found[i][field.axes[k]] = array.values[i];
   }
   return found;

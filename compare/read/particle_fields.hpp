@@ -27,6 +27,25 @@ struct VectorField {
                                                  const std::string& name, int components,
                                                  const std::filesystem::path& file);
 
+/// The same of numbers, not of words.
+[[nodiscard]] const ParticleArray& require_numbers(const ParticleTable& table,
+                                                   const std::string& name, int components,
+                                                   const std::filesystem::path& file);
+
+/// What of a type array means fluid: numbers, or the words that `fluid_type` was stated with.
+struct FluidTypes {
+  explicit FluidTypes(const SourceOptions& options);
+
+  TypeValues values;
+  std::vector<std::string> words;  ///< empty where numbers mean fluid
+
+  [[nodiscard]] std::string text() const;
+  /// Which particles are fluid. Throws surge::Error where words are expected and the array holds
+  /// numbers, or the other way round.
+  [[nodiscard]] std::vector<bool> fluid(const ParticleArray& type,
+                                        const std::filesystem::path& file) const;
+};
+
 /// The vectors of all particles in the file's axes and units; missing components are zero. Throws
 /// surge::Error where an array is missing or not as long as the others.
 [[nodiscard]] std::vector<Vec3> vectors(const ParticleTable& table, const VectorField& field,

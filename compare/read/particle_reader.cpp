@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "compare/read/first_frame.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -21,37 +19,12 @@ std::string seconds(Seconds time) {
   return number_text(std::round(time.value() * 1e9) / 1e9) + " s";
 }
 
-std::size_t fingerprint(const std::vector<Vec3>& position) {
-  std::size_t hash = position.size();
-  for (const Vec3& x : position)
-    for (const double c : x) hash = hash * 1099511628211ULL ^ std::hash<double>()(c);
-  return hash;
-}
-
-/// How far a particle is outside of a box, m; ends that are not known do not count.
-double beyond(const Vec3& x, const Extent& box) {
-  double most = 0.0;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (std::isfinite(box.upper[a])) most = std::max(most, x[a] - box.upper[a]);
-    if (std::isfinite(box.lower[a])) most = std::max(most, box.lower[a] - x[a]);
-  }
-  return most;
-}
-
 /// The axes of the files without a word about them.
 FileAxes file_axes(const SourceOptions& options) {
   return options.axes.value_or(FileAxes{});
 }
 
 }  // namespace
-
-std::string Sightings::text(const std::vector<Seconds>& times) const {
-  if (counts.empty()) return {};
-  std::size_t most = 0;
-  for (const auto& [frame, count] : counts) most = std::max(most, count);
-  return "up to " + std::to_string(most) + " in " + std::to_string(counts.size()) +
-         " frames, first at " + seconds(times[counts.begin()->first]);
-}
 
 ParticleSeries::ParticleSeries(std::vector<SeriesEntry> entries, const SourceOptions& options)
     : entries_(with_parts(std::move(entries), options)),
@@ -110,8 +83,9 @@ void ParticleSeries::find_times() {
 std::vector<std::string> ParticleSeries::wanted(Fields fields) const {
   std::vector<std::string> names = position_.names;
   if (!options_.all_fluid) names.push_back(options_.type_array);
-  if (fields.pressure) names.push_back(options_.pressure_array);
-  if (fields.velocity) names.insert(names.end(), velocity_.names.begin(), velocity_.names.end());
+  if (wants_pressure(fields)) names.push_back(options_.pressure_array);
+  if (wants_velocity(fields))
+    names.insert(names.end(), velocity_.names.begin(), velocity_.names.end());
   return names;
 }
 
@@ -127,104 +101,58 @@ void ParticleSeries::append(ParticleFrame& frame, const SeriesEntry& entry, cons
       throw Error(file.string() + ": a frame of " + number_text(*table.time) + " s found, one of " +
                   number_text(expected) + " s expected (its place in particles.pvd)");
   }
-  const ParticleArray* type = nullptr;
+  std::vector<bool> is_fluid(table.count, true);
   if (!options_.all_fluid && (options_.type_required || table.find(options_.type_array)))
-    type = &require_array(table, options_.type_array, 1, file);
+    is_fluid = FluidTypes(options_).fluid(require_array(table, options_.type_array, 1, file), file);
   const ParticleArray* pressure =
-      fields.pressure ? &require_array(table, options_.pressure_array, 1, file) : nullptr;
+      wants_pressure(fields) ? &require_numbers(table, options_.pressure_array, 1, file) : nullptr;
   const std::vector<Vec3> position = positions(table, position_, file);
   std::vector<Vec3> velocity;
-  if (fields.velocity) velocity = vectors(table, velocity_, file);
-  const TypeValues fluid = options_.fluid_type.value_or(0);
+  if (wants_velocity(fields)) velocity = vectors(table, velocity_, file);
   const FileAxes axes = file_axes(options_);
   const FileUnits& units = options_.units;
   const auto scaled = [&](const Vec3& x, double unit) {
     return axes.apply({unit * x[0], unit * x[1], unit * x[2]});
   };
   for (std::size_t i = 0; i < table.count; ++i) {
-    if (type && !fluid.contain(type->values[i])) continue;
+    if (!is_fluid[i]) continue;
     if (!finite(position[i])) {
       ++frame.nonfinite;
       continue;
     }
     frame.position.push_back(scaled(position[i], units.length));
     if (pressure) frame.pressure.push_back(units.pressure * pressure->values[i]);
-    if (fields.velocity) frame.velocity.push_back(scaled(velocity[i], units.speed()));
+    if (wants_velocity(fields)) frame.velocity.push_back(scaled(velocity[i], units.speed()));
   }
 }
 
 Frame ParticleSeries::read(std::size_t index, Fields fields) {
   ParticleFrame frame;
   frame.time = times_.at(index);
+  asked_.pressure = asked_.pressure || fields.pressure;
+  asked_.velocity = asked_.velocity || fields.velocity;
   const SeriesEntry& entry = entries_[index];
   for (const fs::path& file : entry.files) append(frame, entry, file, fields);
-  check(frame, index);
+  watch_.look(frame, index, entry.files[0].string(),
+              " (array " + options_.type_array + ", value " + FluidTypes(options_).text() + ")");
   return frame;
 }
 
-/// A few lost particles are counted; a frame of which a tenth is not finite is no result.
-void ParticleSeries::check(const ParticleFrame& frame, std::size_t index) {
-  const std::string file = entries_[index].files[0].string();
-  nonfinite_.add(index, frame.nonfinite);
-  const std::size_t all = frame.nonfinite + frame.position.size();
-  if (10 * frame.nonfinite > all)
-    throw Error(file + ": " + std::to_string(frame.nonfinite) + " of " + std::to_string(all) +
-                " fluid particles are not finite, at most a tenth expected");
-  if (frame.position.empty())
-    throw Error(file + ": no fluid particle found (array " + options_.type_array + ", value " +
-                options_.fluid_type.value_or(0).text() + "), at least one expected");
-  if (!spacing_) return;
-  particles_[index] = frame.position.size();
-  fingerprints_[index] = fingerprint(frame.position);
-  if (frame.position.size() > 1) {
-    const double nearest = nearest_distance(frame.position);
-    const double ratio = nearest / spacing_->value();
-    if (!(ratio > 0.2 && ratio < 2.0))
-      throw Error(file + ": particles are " + number_text(nearest) +
-                  " m from their nearest neighbour, spacing " + number_text(spacing_->value()) +
-                  " m; about one spacing expected in every frame (is one in other units?)");
-  }
-  if (!tank_) return;
-  const auto outside =
-      std::count_if(frame.position.begin(), frame.position.end(),
-                    [&](const Vec3& x) { return beyond(x, *tank_) > spacing_->value(); });
-  outside_.add(index, static_cast<std::size_t>(outside));
-}
-
 void ParticleSeries::expect(Metres spacing, const std::optional<Extent>& tank) {
-  spacing_ = spacing;
-  tank_ = tank;
+  watch_.expect(spacing, tank);
 }
 
 std::vector<std::string> ParticleSeries::notices() const {
   std::vector<std::string> lines = series_notices_;
+  if (asked_.pressure && !wants_pressure(asked_))
+    lines.emplace_back("the files hold no pressure by a usual name (--pressure-array)");
+  if (asked_.velocity && !wants_velocity(asked_))
+    lines.emplace_back("the files hold no velocity by a usual name (--velocity-array)");
   for (const auto& [note, files] : notes_)
     lines.push_back(files.begin()->second +
                     (files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "") +
                     ": " + note);
-  if (!nonfinite_.counts.empty())
-    lines.push_back("particles that are not finite are left out: " + nonfinite_.text(times_));
-  if (!outside_.counts.empty())
-    lines.push_back("particles outside of the tank: " + outside_.text(times_));
-  Sightings changed;
-  for (const auto& [index, count] : particles_) {
-    const std::size_t first = particles_.begin()->second;
-    changed.add(index, count > first ? count - first : first - count);
-  }
-  if (!changed.counts.empty()) {
-    const auto [index, difference] = *changed.counts.begin();
-    lines.push_back(
-        "the number of fluid particles changes: " + std::to_string(particles_.begin()->second) +
-        " at " + seconds(times_[particles_.begin()->first]) + ", " +
-        std::to_string(particles_.at(index)) + " at " + seconds(times_[index]) + "; by " +
-        changed.text(times_));
-  }
-  for (auto here = fingerprints_.begin(); here != fingerprints_.end(); ++here) {
-    const auto next = std::next(here);
-    if (next != fingerprints_.end() && next->second == here->second)
-      lines.push_back("the frames at " + seconds(times_[here->first]) + " and " +
-                      seconds(times_[next->first]) + " hold the same particles");
-  }
+  for (std::string& line : watch_.notices(times_)) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -6,21 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "compare/read/frame_watch.hpp"
 #include "compare/read/particle_fields.hpp"
 #include "compare/read/readers.hpp"
 
 namespace surge::compare {
-
-/// What was seen of a kind in the frames that were read.
-struct Sightings {
-  std::map<std::size_t, std::size_t> counts;  ///< by frame
-
-  void add(std::size_t frame, std::size_t count) {
-    if (count > 0) counts[frame] = count;
-  }
-  /// "up to 3 in 2 frames, first at 0.1 s"; empty where there is none.
-  [[nodiscard]] std::string text(const std::vector<Seconds>& times) const;
-};
 
 /// A series of particle files of any format.
 class ParticleSeries : public FrameReader {
@@ -31,6 +21,8 @@ class ParticleSeries : public FrameReader {
   [[nodiscard]] const std::vector<Seconds>& times() const override { return times_; }
   [[nodiscard]] Frame read(std::size_t index, Fields fields) override;
   [[nodiscard]] std::vector<std::string> notices() const override;
+  /// Of foreign files; empty for our own runs, whose manifest states it.
+  [[nodiscard]] std::optional<ParticleCounts> counts() const { return watch_.counts(); }
 
   /// What every frame of a foreign series is held against from now on: neighbours are about a
   /// spacing apart (an error), particles stay inside the tank and as many as they were (notices).
@@ -40,22 +32,24 @@ class ParticleSeries : public FrameReader {
   void find_times();
   void append(ParticleFrame& frame, const SeriesEntry& entry, const std::filesystem::path& file,
               Fields fields);
-  void check(const ParticleFrame& frame, std::size_t index);
   [[nodiscard]] std::vector<std::string> wanted(Fields fields) const;
+  /// Where the options have no name the files have no such array.
+  [[nodiscard]] bool wants_pressure(Fields fields) const {
+    return fields.pressure && !options_.pressure_array.empty();
+  }
+  [[nodiscard]] bool wants_velocity(Fields fields) const {
+    return fields.velocity && !velocity_.names.empty();
+  }
 
   std::vector<SeriesEntry> entries_;
   SourceOptions options_;
   VectorField position_;
   VectorField velocity_;
   std::vector<Seconds> times_;
-  std::optional<Metres> spacing_;
-  std::optional<Extent> tank_;
-  Sightings nonfinite_;
-  Sightings outside_;
-  std::map<std::size_t, std::size_t> particles_;                     ///< by frame
-  std::map<std::size_t, std::size_t> fingerprints_;                  ///< of the positions, by frame
+  FrameWatch watch_;
   std::map<std::string, std::map<std::size_t, std::string>> notes_;  ///< file by frame, by note
   std::vector<std::string> series_notices_;
+  Fields asked_;  ///< so far
 };
 
 /// What the numbers in the names and the times of a series tell: gaps, and intervals that differ

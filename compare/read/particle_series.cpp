@@ -7,10 +7,12 @@
 #include <map>
 #include <set>
 
+#include "compare/read/delimited.hpp"
 #include "compare/read/numbered_files.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 namespace {
@@ -38,23 +40,6 @@ std::string slashes(std::string name) {
   return name;
 }
 
-/// "sub%20dir" as some programs write "sub dir".
-std::string without_percent(const std::string& name) {
-  std::string plain;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    unsigned code = 0;
-    if (name[i] == '%' && i + 2 < name.size() &&
-        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2 &&
-        code >= 0x20) {
-      plain += static_cast<char>(code);
-      i += 2;
-    } else {
-      plain += name[i];
-    }
-  }
-  return plain;
-}
-
 /// A file that a collection names; nothing outside the collection's folder is followed.
 fs::path named_file(const fs::path& collection, const std::string& name) {
   const fs::path folder = collection.has_parent_path() ? collection.parent_path() : fs::path(".");
@@ -79,7 +64,7 @@ std::vector<SeriesEntry> list_collection(const fs::path& file) {
   if (!collection)
     throw Error(file.string() + ": no <Collection> found, a ParaView collection expected");
   std::vector<SeriesEntry> list;
-  std::set<std::string> parts;  // of the present time
+  std::set<std::pair<std::string, std::string>> parts;  // groups and parts of the present time
   for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i) {
     vtkXMLDataElement* element = collection->GetNestedElement(i);
     const std::string place = file.string() + ": DataSet " + std::to_string(i);
@@ -97,7 +82,8 @@ std::vector<SeriesEntry> list_collection(const fs::path& file) {
       parts.clear();
     }
     const char* part = element->GetAttribute("part");
-    if (!parts.insert(part ? part : "0").second) {
+    const char* group = element->GetAttribute("group");
+    if (!parts.emplace(group ? group : "", part ? part : "0").second) {
       throw Error(place + ": a second file of part " + (part ? part : "0") + " at time " + stated +
                   ": one file per part and time expected (are two runs in one collection?)");
     }
@@ -118,7 +104,8 @@ std::vector<SeriesEntry> list_file_series(const fs::path& file) {
     const std::string place = file.string() + ": files." + std::to_string(i);
     if (!entry.is_object() || !entry.contains("name") || !entry.at("name").is_string() ||
         !entry.contains("time") || !entry.at("time").is_number())
-      throw Error(place + ": " + entry.dump() + " found, {\"name\": ..., \"time\": ...} expected");
+      throw Error(place + ": " + json_shown(entry) +
+                  " found, {\"name\": ..., \"time\": ...} expected");
     const Seconds time(entry.at("time").get<double>());
     if (!list.empty() && time <= *list.back().time)
       throw Error(place + ": time " + number_text(time.value()) + " after " +
@@ -143,12 +130,17 @@ void keep_fluid(std::vector<SeriesEntry>& entries, const SourceOptions& options)
   std::erase_if(entries, [](const SeriesEntry& entry) { return entry.files.empty(); });
 }
 
-/// Every file belongs to one time.
+/// Every file belongs to one time; a wall that is named at every time beside others stands still.
 void refuse_repeats(const fs::path& path, const std::vector<SeriesEntry>& entries) {
-  std::map<fs::path, std::size_t> seen;
+  std::map<fs::path, std::size_t> seen, times;
+  for (const SeriesEntry& entry : entries)
+    if (entry.files.size() > 1)
+      for (const fs::path& file : entry.files) ++times[file.lexically_normal()];
+  std::erase_if(times, [&](const auto& file) { return file.second != entries.size(); });
   for (std::size_t i = 0; i < entries.size(); ++i)
     for (const fs::path& file : entries[i].files)
-      if (!seen.emplace(file.lexically_normal(), i).second)
+      if (!seen.emplace(file.lexically_normal(), i).second &&
+          !times.contains(file.lexically_normal()))
         throw Error(path.string() + ": names " + file.filename().string() +
                     " twice, one time for each file expected");
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "particle/support/error.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge::compare {
 namespace {
@@ -47,6 +48,15 @@ std::string lower(std::string text) {
 
 }  // namespace
 
+void ParticleArray::add_word(const std::string& word) {
+  // More distinct words than this are names of particles, which tell nothing.
+  constexpr std::size_t most_words = 64;
+  type = "text";
+  const auto known = std::find(words.begin(), words.end(), word);
+  values.push_back(static_cast<double>(known - words.begin()));
+  if (known == words.end() && words.size() < most_words) words.push_back(word);
+}
+
 const ParticleArray* ParticleTable::find(const std::string& name) const {
   const auto found = std::find_if(arrays.begin(), arrays.end(),
                                   [&](const ParticleArray& array) { return array.name == name; });
@@ -54,15 +64,7 @@ const ParticleArray* ParticleTable::find(const std::string& name) const {
 }
 
 void require_regular(const fs::path& file) {
-  constexpr std::uintmax_t most = 64ULL << 30;
-  std::error_code failed;
-  if (!fs::exists(file, failed)) throw Error(file.string() + ": no such file");
-  if (!fs::is_regular_file(file, failed))
-    throw Error(file.string() + ": not a regular file, a file of particles expected");
-  const std::uintmax_t size = fs::file_size(file, failed);
-  if (failed || size > most)
-    throw Error(file.string() + ": " + std::to_string(size >> 30) +
-                " GiB found, at most 64 GiB expected");
+  surge::require_regular(file, most_table_bytes, "a file of particles");
 }
 
 bool has_particle_name(const fs::path& file) {
@@ -103,6 +105,18 @@ Format format_of(const fs::path& file, const SourceOptions& options) {
                 ": binary in a format that is not known; .vtp, .vtu, .vtk, .csv, .hdf5 or a LAMMPS "
                 "dump expected");
   return Format::csv;
+}
+
+std::string unread_file_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) files.push_back(entry);
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files)
+    for (const auto& [known, instead] : unread)
+      if (lower(file.extension().string()) == known)
+        return file.filename().string() + ": " + std::string(known) + " is not read, " +
+               std::string(instead);
+  return {};
 }
 
 std::vector<FilePart> parts_of(const fs::path& file, const SourceOptions& options) {

@@ -15,8 +15,13 @@ namespace surge::compare {
 struct ParticleArray {
   std::string name;
   int components = 1;
-  std::string type;            ///< as the file stores it: "float", "int32", "text"
-  std::vector<double> values;  ///< components x particles, a particle's together
+  std::string type;                  ///< as the file stores it: "float", "int32", "text"
+  std::vector<double> values;        ///< components x particles, a particle's together
+  std::vector<std::string> words{};  ///< of "text": the distinct ones; the values are their places
+
+  [[nodiscard]] bool is_text() const { return type == "text"; }
+  /// Makes it a text array: one more word of the next particle.
+  void add_word(const std::string& word);
 };
 
 /// The particles of one time in one file, as the file has them: its units, its axes, walls and all.
@@ -50,6 +55,10 @@ using ArrayNames = std::optional<std::vector<std::string>>;
 /// The format of a file: as the options state it, else by its first bytes. Throws surge::Error for
 /// a format that is not read, with the way to export one that is.
 [[nodiscard]] Format format_of(const std::filesystem::path& file, const SourceOptions& options);
+
+/// The first file of a folder in a format that is not read, with the way to export one that is;
+/// empty where there is none.
+[[nodiscard]] std::string unread_file_in(const std::filesystem::path& folder);
 
 /// Whether a file's name is one that particle files have.
 [[nodiscard]] bool has_particle_name(const std::filesystem::path& file);

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "compare/read/physics_keys.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::compare {
 namespace {
 
-constexpr const char* known_keys[] = {
-    "dimension", "gravity", "column-width", "column-height", "tank-width", "tank-height", "density",
-    "viscosity", "wall",    "blocks",       "obstacles",     "open",       "periodic"};
+constexpr const char* known_keys[] = {"dimension",  "gravity",     "column-width", "column-height",
+                                      "tank-width", "tank-height", "density",      "viscosity",
+                                      "wall",       "blocks",      "obstacles",    "open",
+                                      "periodic",   "motion",      "moving-walls"};
 
 /// Collects differences between two named sides.
 class Comparer {
@@ -73,6 +75,18 @@ class Comparer {
         std::to_string(a->size()) + ", " + std::to_string(missing) + " of them not in " + name_b_,
         std::to_string(b->size()) + ", " + std::to_string(left.size()) + " of them not in " +
             name_a_);
+  }
+
+  void statement(const std::string& key, const std::optional<nlohmann::json>& a,
+                 const std::optional<nlohmann::json>& b) {
+    if (!a || !b) {
+      result_.not_stated.push_back(key);
+    } else if (!same_statement(*a, *b)) {
+      const auto shown = [](const nlohmann::json& value) {
+        return value.empty() ? std::string("none") : value.dump();
+      };
+      differ(key, shown(*a), shown(*b));
+    }
   }
 
   void differ(const std::string& key, const std::string& a, const std::string& b) {
@@ -170,6 +184,33 @@ std::optional<Metres> Physics::far_wall() const {
   return Metres(tank->upper[0] - column.lower[0]);
 }
 
+bool Physics::has_surge() const {
+  const auto far = far_wall();
+  const auto up = static_cast<std::size_t>(vertical_axis());
+  const double slack = 0.02 * column_width().value();
+  if (column.lower[up] > floor() + slack) return false;
+  return !far || *far > column_width() + Metres(slack);
+}
+
+bool same_statement(const nlohmann::json& a, const nlohmann::json& b) {
+  if (a.is_number() && b.is_number()) {
+    const double x = a.get<double>(), y = b.get<double>();
+    return std::abs(x - y) <= relative(x, y) + 1e-12;
+  }
+  if (a.is_array() && b.is_array()) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (!same_statement(a[i], b[i])) return false;
+    return true;
+  }
+  if (a.is_object() && b.is_object()) {
+    for (const auto& [key, value] : a.items())
+      if (b.contains(key) && !same_statement(value, b.at(key))) return false;
+    return true;
+  }
+  return a == b;
+}
+
 PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, const Physics& b,
                                   const std::string& name_b) {
   Comparer compare(name_a, name_b);
@@ -208,17 +249,29 @@ PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, c
   });
   compare.names("open", a.open, b.open);
   compare.names("periodic", a.periodic, b.periodic);
+  compare.statement("motion", a.motion, b.motion);
+  compare.statement("moving-walls", a.moving_walls, b.moving_walls);
   return compare.result();
+}
+
+bool is_physics_key(const std::string& key) {
+  return std::find(std::begin(known_keys), std::end(known_keys), key) != std::end(known_keys);
+}
+
+std::string physics_keys() {
+  std::string text;
+  for (const char* known : known_keys) {
+    if (!text.empty()) text += ' ';
+    text += known;
+  }
+  return text;
 }
 
 void require_same_physics(const PhysicsComparison& comparison,
                           const std::set<std::string>& allowed) {
   for (const std::string& key : allowed) {
-    if (std::find(std::begin(known_keys), std::end(known_keys), key) == std::end(known_keys)) {
-      std::string line = "--allow: \"" + key + "\" found, one of";
-      for (const char* known : known_keys) line += std::string(" ") + known;
-      throw Error(line + " expected");
-    }
+    if (!is_physics_key(key))
+      throw Error("--allow: \"" + key + "\" found, one of " + physics_keys() + " expected");
   }
   std::string lines;
   for (const auto& difference : comparison.differences) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -38,7 +39,9 @@ struct Physics {
   std::optional<std::vector<Extent>> obstacles;
   std::optional<std::set<std::string>> open;      ///< sides without a wall: "x-" to "z+"
   std::optional<std::set<std::string>> periodic;  ///< axes
-  std::optional<Metres> stated_bed;               ///< --bed-depth, of a source without blocks
+  /// Motion of the tank and the walls that move, as a manifest has them; null: it is at rest.
+  std::optional<nlohmann::json> motion, moving_walls;
+  std::optional<Metres> stated_bed;  ///< --bed-depth, of a source without blocks
 
   [[nodiscard]] double gravity_magnitude() const;
   /// Axis (0, 1, 2) that gravity points along; throws surge::Error where it is oblique, zero or
@@ -59,6 +62,8 @@ struct Physics {
   [[nodiscard]] std::optional<Metres> bed_depth() const;
   /// Distance of the far wall from the column's wall; empty where no tank is known.
   [[nodiscard]] std::optional<Metres> far_wall() const;
+  /// Whether water surges from the column: it stands on the floor and leaves floor beyond it.
+  [[nodiscard]] bool has_surge() const;
 };
 
 /// Which of a source's blocks is the column: of water that lies in the tank and a higher block the
@@ -77,10 +82,14 @@ struct PhysicsComparison {
 };
 
 /// Keys: dimension, gravity, column-width, column-height, tank-width, tank-height, density,
-/// viscosity, wall, blocks, obstacles, open, periodic. Lengths agree within 0.1 % of L, other
-/// numbers within 1e-6 relative.
+/// viscosity, wall, blocks, obstacles, open, periodic, motion, moving-walls. Lengths agree within
+/// 0.1 % of L, other numbers within 1e-6 relative.
 [[nodiscard]] PhysicsComparison compare_physics(const Physics& a, const std::string& name_a,
                                                 const Physics& b, const std::string& name_b);
+
+/// Whether two values of a manifest say the same: numbers within 1e-6 of the larger; entries that
+/// only one of them has are passed over.
+[[nodiscard]] bool same_statement(const nlohmann::json& a, const nlohmann::json& b);
 
 /// Throws surge::Error with a line per difference whose key is not in `allowed`, and for a key in
 /// `allowed` that does not exist.

@@ -73,9 +73,6 @@ struct SeriesEntry {
 [[nodiscard]] std::unique_ptr<FrameReader> open_foam_case(const std::filesystem::path& folder,
                                                           const SourceOptions& options);
 
-/// A JSON file; throws surge::Error with the place of a syntax error.
-[[nodiscard]] nlohmann::json read_json(const std::filesystem::path& file);
-
 /// Fills name, method, preset, spacing and physics of a run from its manifest (both programs write
 /// the same keys). Throws surge::Error naming a key that is missing or of the wrong kind.
 void apply_manifest(Run& run, const std::filesystem::path& file);

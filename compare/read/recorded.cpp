@@ -8,6 +8,8 @@
 #include "compare/read/readers.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge::compare {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-enum class Kind { text, truth, count, number, object, numbers, scalars };
+enum class Kind { text, truth, count, number, object, numbers, scalars, texts };
 
 struct Entry {
   const char* pointer;
@@ -49,6 +51,9 @@ constexpr std::array entries{Entry{"/program", Kind::text},
                              Entry{"/water_volume_change", Kind::number},
                              Entry{"/alpha_min", Kind::number},
                              Entry{"/alpha_max", Kind::number},
+                             Entry{"/fastest_m_s", Kind::count},
+                             Entry{"/fastest_at_s", Kind::count},
+                             Entry{"/warnings", Kind::texts},
                              Entry{"/wall_s", Kind::numbers},
                              Entry{"/ppe", Kind::numbers},
                              Entry{"/case", Kind::object},
@@ -86,6 +91,9 @@ bool is_of(Kind kind, const json& value) {
       return all(value, is_number);
     case Kind::scalars:
       return all(value, [](const json& v) { return v.is_primitive() && !v.is_null(); });
+    case Kind::texts:
+      return value.is_array() &&
+             std::all_of(value.begin(), value.end(), [](const json& v) { return v.is_string(); });
   }
   return false;
 }
@@ -97,21 +105,15 @@ const char* name_of(Kind kind) {
                              "a finite number",
                              "an object",
                              "an object of finite numbers",
-                             "an object of numbers and texts"};
+                             "an object of numbers and texts",
+                             "a list of texts"};
   return names.at(static_cast<std::size_t>(kind));
-}
-
-/// A value as an error shows it: no more than fits into a line.
-std::string shown(const json& value) {
-  std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  if (text.size() > 60) text = text.substr(0, 60) + "...";
-  return text;
 }
 
 [[noreturn]] void refuse(const fs::path& file, std::string pointer, const json& found,
                          const std::string& expected) {
   std::replace(pointer.begin(), pointer.end(), '/', '.');
-  throw Error(file.string() + ": " + pointer.substr(1) + ": " + shown(found) + " found, " +
+  throw Error(file.string() + ": " + pointer.substr(1) + ": " + json_shown(found) + " found, " +
               expected + " expected");
 }
 
@@ -137,8 +139,9 @@ std::optional<double> number_of(const json& manifest, const char* pointer) {
 
 /// Rows of a table without its header; empty where there is no such file.
 std::optional<double> rows_of(const fs::path& file) {
-  std::ifstream in(file);
-  if (!in) return std::nullopt;
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return std::nullopt;
+  std::ifstream in = open_regular(file, most_table_bytes, "a table of steps");
   double rows = -1.0;
   for (std::string line; std::getline(in, line);)
     if (!line.empty()) ++rows;
@@ -188,7 +191,7 @@ void check_foam_run(const Run& run) {
 
 void check_manifest(const json& manifest, const fs::path& file) {
   if (!manifest.is_object())
-    throw Error(file.string() + ": " + shown(manifest) + " found, an object expected");
+    throw Error(file.string() + ": " + json_shown(manifest) + " found, an object expected");
   for (const Entry& entry : entries) {
     const json::json_pointer pointer(entry.pointer);
     // What hangs below an entry of the wrong kind is not looked for: that entry was named before.
@@ -209,6 +212,9 @@ json read_manifest(const fs::path& file) {
 
 void check_recorded(Run& run) {
   if (!run.manifest.is_object()) return;
+  if (const auto said = run.manifest.find("warnings"); said != run.manifest.end())
+    for (const json& warning : *said)
+      run.notices.push_back("the run warns: " + warning.get<std::string>());
   if (is_unfinished(run)) {
     const std::string why = run.manifest.value("stopped", "");
     run.notices.insert(run.notices.begin(),

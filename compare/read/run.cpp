@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "compare/read/first_column.hpp"
 #include "compare/read/first_frame.hpp"
 #include "compare/read/foam_case.hpp"
 #include "compare/read/foreign_series.hpp"
@@ -16,29 +16,6 @@ namespace surge::compare {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-void apply_options(Run& run, const SourceOptions& options) {
-  Physics& physics = run.physics;
-  const auto up = static_cast<std::size_t>(physics.vertical_axis());
-  if (options.column_width)
-    physics.column.upper[0] = physics.column.lower[0] + options.column_width->value();
-  if (options.column_height)
-    physics.column.upper[up] = physics.column.lower[up] + options.column_height->value();
-  if (options.density) physics.density = *options.density;
-  if (options.bed_depth) physics.stated_bed = *options.bed_depth;
-  if (options.tank_width || options.tank_height) {
-    if (!physics.tank) {
-      physics.tank = physics.column;
-      physics.tank->upper.fill(unknown);
-    }
-    if (options.tank_width)
-      physics.tank->upper[0] = physics.column.lower[0] + options.tank_width->value();
-    if (options.tank_height)
-      physics.tank->upper[up] = physics.column.lower[up] + options.tank_height->value();
-  }
-}
 
 /// Our own manifest states all that the options could say; saying it twice would hide a mistake.
 void refuse_options(const fs::path& path, const SourceOptions& o) {
@@ -74,12 +51,33 @@ fs::path source_path(const fs::path& given) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+fs::path place_of(const fs::path& given) {
+  const fs::path place = fs::absolute(source_path(given)).lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
 }  // namespace
 
 std::string run_name(const fs::path& path) {
-  fs::path plain = fs::absolute(source_path(path)).lexically_normal();
-  if (!plain.has_filename()) plain = plain.parent_path();
-  return plain.filename().string();
+  return place_of(path).filename().string();
+}
+
+std::vector<std::string> run_names(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> places;
+  for (const fs::path& path : paths) places.push_back(place_of(path));
+  std::vector<std::string> names;
+  for (const fs::path& place : places) {
+    fs::path name = place.filename(), above = place.parent_path();
+    const auto is_of_another = [&](const fs::path& other) {
+      return other != place && (fs::path("/") / other).string().ends_with('/' + name.string());
+    };
+    while (above.has_filename() && std::any_of(places.begin(), places.end(), is_of_another)) {
+      name = above.filename() / name;
+      above = above.parent_path();
+    }
+    names.push_back(name.string());
+  }
+  return names;
 }
 
 std::optional<std::size_t> frame_near(const std::vector<Seconds>& times, Seconds time) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -80,12 +81,19 @@ struct Run {         // NOLINT(bugprone-exception-escape): what json destroys th
   std::unique_ptr<FrameReader> frames;
   /// What was assumed or left out when it was opened, besides what the frames say.
   std::vector<std::string> notices;
+  /// How a foreign source was read, whoever said it: the user, the files, or a guess. Facts by the
+  /// name of the option that states them.
+  std::map<std::string, std::string> reading{};
 
   [[nodiscard]] bool is_mesh() const { return kind == SourceKind::openfoam; }
 };
 
 /// The name that a run at `path` has: its folder's, or its file's for a series of files.
 [[nodiscard]] std::string run_name(const std::filesystem::path& path);
+
+/// The names of several sources. Those of one name have as many of their parents in front as make
+/// them differ: "mine/out" and "theirs/out". One path twice has one name.
+[[nodiscard]] std::vector<std::string> run_names(const std::vector<std::filesystem::path>& paths);
 
 /// Opens a source and checks that it exists, has frames and says enough to compute Z/L.
 /// `path` may be a run folder, an OpenFOAM case folder, a .pvd or .series file, a folder of

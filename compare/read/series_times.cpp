@@ -87,8 +87,8 @@ std::map<long long, double> read_time_file(const fs::path& file) {
     if (fields.size() <= std::max(number, time))
       throw Error(place + std::to_string(fields.size()) +
                   " fields found, number and time expected");
-    const auto n = number_in(fields[number]);
-    const auto t = number_in(fields[time]);
+    const auto n = number_in(fields[number], table.decimal);
+    const auto t = number_in(fields[time], table.decimal);
     if (!n || !t || !std::isfinite(*t) || *n != std::round(*n) || std::abs(*n) > 1e15)
       throw Error(place + "found \"" + std::string(fields[number]) + "\" and \"" +
                   std::string(fields[time]) + "\", expected a whole number and a time");

@@ -1,6 +1,7 @@
 #include "compare/read/source_options.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -154,7 +155,8 @@ const std::vector<Entry>& entries() {
          o.type_array = s.one();
          o.type_required = true;
        }},
-      {{"fluid_type", "its values for fluid: 3 or 1,2 or 1-3 [0]; all where all are", true},
+      {{"fluid_type", "its values for fluid: 3 or 1,2 or 1-3 or water [0]; all where all are",
+        true},
        [](O& o, const S& s) {
          o.all_fluid = s.words.size() == 1 && s.words[0] == "all";
          if (!o.all_fluid) o.fluid_type = TypeValues::parse(s.words, s.place);
@@ -173,9 +175,15 @@ std::size_t axis_of(char letter) {
 TypeValues TypeValues::parse(Words words, const std::string& place) {
   TypeValues values(0);
   values.ranges_.clear();
+  const std::string expected = "whole numbers such as 3 or 1-3, or words such as water";
+  const auto is_word = [](const std::string& word) {
+    return !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+  };
+  // No number is among the values then; the words are those that were stated.
+  if (!words.empty() && std::all_of(words.begin(), words.end(), is_word)) return values;
   for (const std::string& word : words) {
     const auto fail = [&] {
-      throw Error(place + ": found \"" + word + "\", expected whole numbers such as 3 or 1-3");
+      throw Error(place + ": found \"" + word + "\", expected " + expected);
     };
     long first = 0, last = 0;
     const char* end = word.data() + word.size();
@@ -189,8 +197,7 @@ TypeValues TypeValues::parse(Words words, const std::string& place) {
     }
     values.ranges_.emplace_back(first, last);
   }
-  if (values.ranges_.empty())
-    throw Error(place + ": found nothing, expected whole numbers such as 3 or 1-3");
+  if (values.ranges_.empty()) throw Error(place + ": found nothing, expected " + expected);
   return values;
 }
 
@@ -265,6 +272,8 @@ void set_source_option(SourceOptions& options, const std::string& key, Words wor
     if ((key == "axes" && options.vertical_stated) || (key == "vertical" && options.axes))
       throw Error(place + ": axes and vertical are both given, expected one of them");
     entry.set(options, {words, place, folder});
+    options.stated[key] = {words.begin(), words.end()};
+    if (key == "time_file") options.stated[key] = {options.time_file.string()};
     return;
   }
   std::vector<std::string> names{"map"};

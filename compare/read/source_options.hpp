@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,6 +94,8 @@ struct SourceOptions {
   std::string time_array;           ///< column, attribute or field data that holds the time
   std::filesystem::path time_file;  ///< CSV: number (or step) and time of each frame
   std::string alpha_array = "alpha.water";
+  /// What was set so far, as it was said: words by key. A file's name is its path.
+  std::map<std::string, std::vector<std::string>> stated;
 };
 
 /// A key of a map file, which is also a command-line option with `-` for `_`.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -71,6 +72,7 @@ class Checker {
       at = end + 1;
       check_counts(tag);
       const std::string_view name = tag.name();
+      if (name == "DataArray" || name == "Array") check_type(tag);
       if (name == "Piece") points_ = number(tag, "NumberOfPoints");
       if (name == "Points" || name == "PointData") of_points_ = true;
       if (name == "/Points" || name == "/PointData") of_points_ = false;
@@ -95,6 +97,17 @@ class Checker {
         throw Error(file_.string() + ": " + key + ": found \"" + std::string(word->substr(0, 40)) +
                     "\", expected a count that the file can hold");
     }
+  }
+
+  /// An array of a type that it does not know is none, and VTK's reader ends the program on it.
+  void check_type(const Tag& tag) const {
+    static const std::set<std::string_view> known{
+        "Int8",   "UInt8",   "Int16",   "UInt16", "Int32", "UInt32", "Int64",
+        "UInt64", "Float32", "Float64", "String", "Bit",   "IdType", "vtkIdType"};
+    const auto type = tag.attribute("type");
+    if (type && known.contains(*type)) return;
+    throw Error(file_.string() + ": DataArray: type: found \"" +
+                std::string(type.value_or("").substr(0, 40)) + "\", expected one such as Float32");
   }
 
   void check_ascii(const Tag& tag, std::size_t at) const {

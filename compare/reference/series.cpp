@@ -8,6 +8,7 @@
 
 #include "compare/read/delimited.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge::compare {
 namespace {
@@ -19,9 +20,8 @@ std::string trim(const std::string& text) {
 /// One published file while it is read; knows its place for errors.
 class SeriesParser {
  public:
-  explicit SeriesParser(const std::filesystem::path& file) : file_(file), in_(file) {
-    if (!in_) throw Error(file.string() + ": cannot be opened, a published series (CSV) expected");
-  }
+  explicit SeriesParser(const std::filesystem::path& file)
+      : file_(file), in_(open_regular(file, most_bytes, "a published series (CSV)")) {}
 
   PublishedSeries parse() {
     std::string line;
@@ -45,6 +45,8 @@ class SeriesParser {
   }
 
  private:
+  static constexpr std::uintmax_t most_bytes = std::uintmax_t{64} << 20U;
+
   [[noreturn]] void fail(const std::string& key, const std::string& found,
                          const std::string& expected) const {
     throw Error(file_.string() + ":" + std::to_string(line_) + ": " + key + ": " + found +

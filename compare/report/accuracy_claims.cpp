@@ -33,17 +33,18 @@ Count count_verdicts(const StudyResult& study, const json& metrics, const Runs& 
   return count;
 }
 
-/// MPS below SPH by more than the uncertainty of the difference, in all pairs of runs. The
+/// The nearer below the farther by more than the uncertainty of the difference, in all pairs. The
 /// reference is the same for both, but its error may take from the one what it gives to the other.
-Count count_accuracy(const StudyResult& study, const json& metrics, const Runs& mps,
-                     const Runs& sph) {
+Count count_accuracy(const StudyResult& study, const json& metrics, const Runs& nearer,
+                     const Runs& farther) {
   Count count;
-  for (const RunResult* a : mps) {
-    for (const RunResult* b : sph) {
-      const json of_mps = verdict_on(metrics, study, *a), of_sph = verdict_on(metrics, study, *b);
-      if (of_mps.is_null() || of_sph.is_null()) continue;
-      const json &u = of_mps["u_run"], &w = of_sph["u_run"], &r = of_mps["u_reference"];
-      const double gain = of_sph["E"].get<double>() - of_mps["E"].get<double>();
+  for (const RunResult* a : nearer) {
+    for (const RunResult* b : farther) {
+      const json of_nearer = verdict_on(metrics, study, *a),
+                 of_farther = verdict_on(metrics, study, *b);
+      if (of_nearer.is_null() || of_farther.is_null()) continue;
+      const json &u = of_nearer["u_run"], &w = of_farther["u_run"], &r = of_nearer["u_reference"];
+      const double gain = of_farther["E"].get<double>() - of_nearer["E"].get<double>();
       const bool known = u.is_number() && w.is_number() && r.is_number();
       if (!known || std::abs(gain) <=
                         coverage * std::hypot(u.get<double>(), w.get<double>(), r.get<double>())) {
@@ -65,39 +66,24 @@ ValueOf rms_against_reference(const StudyResult& study, const json& metrics) {
 
 }  // namespace
 
-Claim agreement_claim(const StudyResult& study, const json& metrics, const std::string& method) {
-  Claim claim{"leading_edge_" + method,
-              "The leading edge of " + upper_name(method) + " is in good agreement with VOF.",
-              "Section 5.1, Fig. 8",
-              "RMS of the difference in Z/L before the far wall at most " +
-                  fixed_text(front_tolerance, 2) +
-                  " in every complete run of the method: a third of the uncertainty with which the "
-                  "experiments can be read (0.15), and one cell of a mesh of 20 cells per L; "
-                  "decided by the interval of the RMS, see the table of what can be decided",
-              "",
-              {}};
-  const Runs runs = complete_runs(study, method);
-  const ValueOf rms = rms_against_reference(study, metrics);
-  add_evidence(claim, "RMS, ", runs, rms);
-  claim.verdict = verdict_of(count_verdicts(study, metrics, runs),
-                             "the formulation: not all of the runs meet it");
+Claim judge_agreement(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
+  const Runs runs = complete_runs(study, statement);
+  add_evidence(claim, "RMS, ", runs, rms_against_reference(study, metrics));
+  claim.verdict = verdict_of(count_verdicts(study, metrics, runs), statement.condition);
   return claim;
 }
 
-Claim accuracy_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{
-      "mps_more_accurate",
-      "MPS is more accurate than SPH in the leading edge.",
-      "Section 5.1, Fig. 8",
-      "RMS of every MPS run below that of every SPH run by more than the uncertainty of the "
-      "difference",
-      "",
-      {}};
-  const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
+Claim judge_accuracy(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
+  const Runs nearer = complete_runs(study, statement.methods.at(0));
+  const Runs farther = complete_runs(study, statement.methods.at(1));
   const ValueOf rms = rms_against_reference(study, metrics);
-  add_evidence(claim, "RMS, ", mps, rms);
-  add_evidence(claim, "RMS, ", sph, rms);
-  claim.verdict = verdict_of(count_accuracy(study, metrics, mps, sph), "the formulation");
+  add_evidence(claim, "RMS, ", nearer, rms);
+  add_evidence(claim, "RMS, ", farther, rms);
+  claim.verdict = verdict_of(count_accuracy(study, metrics, nearer, farther), statement.condition);
   return claim;
 }
 

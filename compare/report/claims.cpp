@@ -1,19 +1,26 @@
 #include "compare/report/claims.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "compare/report/claim_parts.hpp"
+#include "compare/study/sequences.hpp"
+#include "compare/study/verdict.hpp"
+#include "particle/support/bounds.hpp"
 
 namespace surge::compare {
 
 using nlohmann::json;
 
-bool is_of_the_paper(const RunResult& run) {
+bool is_of_the_paper(const StudyResult& study, const RunResult& run) {
   const std::string& preset = run.measured->run.preset;
-  return preset.empty() || preset.starts_with("paper");
+  return preset.empty() || study.study.statements.is_about(preset);
 }
 
 Runs judged_runs(const StudyResult& study) {
   Runs runs = study.measured();
-  std::erase_if(runs, [](const RunResult* run) { return !is_of_the_paper(*run); });
+  std::erase_if(runs, [&](const RunResult* run) { return !is_of_the_paper(study, *run); });
   return runs;
 }
 
@@ -24,6 +31,13 @@ Runs complete_runs(const StudyResult& study, const std::string& method) {
         run->measured->run.method == method)
       runs.push_back(run);
   }
+  return runs;
+}
+
+Runs complete_runs(const StudyResult& study, const Statement& statement) {
+  Runs runs;
+  for (const std::string& method : statement.methods)
+    for (const RunResult* run : complete_runs(study, method)) runs.push_back(run);
   return runs;
 }
 
@@ -44,10 +58,6 @@ json parameter_of(const RunResult& run, const std::string& name) {
   return number_at(run.manifest, pointer / name);
 }
 
-std::string upper_name(const std::string& method) {
-  return method == "mps" ? "MPS" : "SPH";
-}
-
 std::string verdict_of(const Count& count, const std::string& condition) {
   if (count.open > 0) return not_decidable;
   if (count.all == 0) return not_measured;
@@ -59,32 +69,76 @@ void add_evidence(Claim& claim, const std::string& what, const Runs& runs, const
   for (const RunResult* run : runs) claim.evidence.push_back({what + run->label(), value(*run)});
 }
 
-Count count_runs(const Runs& runs, const ValueOf& value, const std::function<bool(double)>& meets) {
+Answer is_above(const Judged& a, const Judged& b) {
+  if (!a.interval || !b.interval) return Answer::open;
+  const double apart = a.value - b.value;
+  if (std::abs(apart) <= std::hypot(*a.interval, *b.interval)) return Answer::open;
+  return apart > 0.0 ? Answer::yes : Answer::no;
+}
+
+std::optional<Judged> judged_by_levels(const StudyResult& study, const RunResult& run,
+                                       const ValueOf& value) {
+  std::vector<LevelValue> levels;
+  std::optional<std::size_t> own;
+  for (const RunResult* level : refinements_of(study, run)) {
+    const json found = value(*level);
+    if (!found.is_number()) continue;
+    if (level == &run) own = levels.size();
+    levels.push_back({level->measured->run.spacing.value(), found.get<double>()});
+  }
+  if (!own) return std::nullopt;
+  const auto u = level_uncertainty(levels, *own);
+  return Judged{levels[*own].value,
+                u ? std::optional(coverage * *u / numerical_coverage) : std::nullopt};
+}
+
+Count count_above(const Runs& runs, const JudgedOf& number, double threshold) {
   Count count;
-  for (const RunResult* run : runs) {
-    const json known = value(*run);
-    if (known.is_number()) count.add(meets(known.get<double>()));
+  for (const RunResult* run : runs)
+    if (const auto known = number(*run)) count.add(is_above(*known, {threshold, 0.0}));
+  return count;
+}
+
+Count count_pairs(const Runs& above, const Runs& below, const JudgedOf& number) {
+  Count count;
+  for (const RunResult* run : above) {
+    const auto a = number(*run);
+    if (!a) continue;
+    for (const RunResult* other : below)
+      if (const auto b = number(*other)) count.add(is_above(*a, *b));
   }
   return count;
 }
 
-Count count_pairs(const Runs& mps, const Runs& sph, const ValueOf& value,
-                  const std::function<bool(double mps, double sph)>& as_said) {
-  Count count;
-  for (const RunResult* run : mps) {
-    const json of_mps = value(*run);
-    if (!of_mps.is_number()) continue;
-    count += count_runs(sph, value, [&](double of_sph) { return as_said(of_mps, of_sph); });
+Claim claim_of(const Statement& statement) {
+  std::map<std::string, double> numbers = statement.numbers;
+  numbers.emplace("tolerance", front_tolerance);
+  std::string criterion = statement.criterion;
+  for (const auto& [name, value] : numbers) {
+    const std::string word = "{" + name + "}";
+    for (auto at = criterion.find(word); at != std::string::npos; at = criterion.find(word))
+      criterion.replace(at, word.size(), number_text(value));
   }
-  return count;
+  return {statement.id, statement.text, statement.place, criterion, "", {}};
 }
 
 std::vector<Claim> find_claims(const StudyResult& study, const json& metrics) {
-  return {agreement_claim(study, metrics, "mps"), agreement_claim(study, metrics, "sph"),
-          accuracy_claim(study, metrics),         pattern_claim(study, metrics),
-          fragmentation_claim(study, metrics),    cost_claim(study, metrics),
-          pressure_claim(study, metrics),         growth_claim(metrics),
-          clustering_claim(study, metrics),       robustness_claim(study)};
+  using Rule = Claim (*)(const Judging&);
+  static const std::map<std::string, Rule> rules{
+      {"agrees", judge_agreement},
+      {"more_accurate", judge_accuracy},
+      {"alike", judge_patterns},
+      {"only_fragments", judge_fragmentation},
+      {"cheaper", judge_cost},
+      {"pressure_takes", judge_pressure},
+      {"grows", judge_growth},
+      {"keeps_apart", judge_clustering},
+      {"comes_to_end", judge_robustness},
+  };
+  std::vector<Claim> claims;
+  for (const Statement& statement : study.study.statements.claims)
+    claims.push_back(rules.at(statement.rule)({study, metrics, statement}));
+  return claims;
 }
 
 }  // namespace surge::compare

@@ -9,6 +9,7 @@ using nlohmann::json;
 void measure_claims(const StudyResult& study, json& metrics) {
   measure_runs_without_collisions(study, metrics);
   measure_cost(study, metrics);
+  const Statement* accuracy = study.study.statements.of_rule("more_accurate");
   json& out = metrics["claims"] = json::array();
   json& counts = metrics["claim_counts"];
   counts = {
@@ -23,7 +24,8 @@ void measure_claims(const StudyResult& study, json& metrics) {
         counts[name] = counts[name].get<int>() + 1;
     }
     // What the summary says of it must be the same.
-    if (claim.id == "mps_more_accurate") metrics["summary"]["accuracy"] = claim.verdict;
+    if (accuracy != nullptr && claim.id == accuracy->id)
+      metrics["summary"]["accuracy"] = claim.verdict;
     out.push_back({{"id", claim.id},
                    {"statement", claim.statement},
                    {"place", claim.place},

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "compare/report/claim_parts.hpp"
+#include "compare/study/sequences.hpp"
+#include "compare/study/verdict.hpp"
 
 namespace surge::compare {
 
@@ -9,18 +12,16 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double quadratic = 0.15;  ///< deviation of the exponent from two
-
-/// A quantity in which SPH is compared with MPS, and how that came out.
+/// A quantity in which the cheaper method is compared with the other, and how that came out.
 struct Comparison {
   std::string where;  ///< "per step with the paper's step rule"
   Count count;
 };
 
-/// SPH runs whose step the speed of sound limits too, or those without that limit.
-Runs with_acoustic_limit(const Runs& sph, bool wanted) {
+/// Runs whose step the speed of sound limits too, or those without that limit.
+Runs with_acoustic_limit(const Runs& of, bool wanted) {
   Runs runs;
-  for (const RunResult* run : sph) {
+  for (const RunResult* run : of) {
     const json limit = parameter_of(*run, "acoustic_courant");
     const bool has = limit.is_number() && limit.get<double>() > 0.0;
     if (has == wanted) runs.push_back(run);
@@ -28,24 +29,35 @@ Runs with_acoustic_limit(const Runs& sph, bool wanted) {
   return runs;
 }
 
-std::vector<Comparison> compare_whole_runs(const StudyResult& study, const json& metrics,
-                                           Claim& claim) {
-  const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
+/// A time with the interval of one measurement.
+Judged timed(double value, std::optional<double> scatter, double repeats = 1.0) {
+  if (!scatter) return {value, std::nullopt};
+  return {value, coverage * *scatter * value / std::sqrt(repeats)};
+}
+
+std::vector<Comparison> compare_whole_runs(const Judging& judging, Claim& claim) {
+  const auto& [study, metrics, statement] = judging;
+  const Runs cheap = complete_runs(study, statement.methods.at(0));
+  const Runs dear = complete_runs(study, statement.methods.at(1));
+  const auto scatter = timing_scatter(metrics);
   std::vector<Comparison> out;
   for (const auto& [name, unit, pointer] :
        {std::tuple{"per step", "ms per step, ", "/ms_per_step"},
         std::tuple{"per simulated second", "s per simulated s, ", "/s_per_simulated_s"}}) {
-    const auto value = [&, pointer = pointer](const RunResult& run) {
-      return number_of(metrics, "cost", run, pointer);
+    const ValueOf value = [&table = metrics, pointer = pointer](const RunResult& run) {
+      return number_of(table, "cost", run, pointer);
     };
-    add_evidence(claim, unit, mps, value);
-    add_evidence(claim, unit, sph, value);
+    add_evidence(claim, unit, dear, value);
+    add_evidence(claim, unit, cheap, value);
+    const JudgedOf number = [&](const RunResult& run) -> std::optional<Judged> {
+      const json known = value(run);
+      if (!known.is_number()) return std::nullopt;
+      return timed(known.get<double>(), scatter);
+    };
     for (const bool acoustic : {false, true}) {
-      const Count count =
-          count_pairs(mps, with_acoustic_limit(sph, acoustic), value, std::greater<>());
       out.push_back({std::string(name) + (acoustic ? " with an acoustic limit of the step"
                                                    : " with the paper’s step rule"),
-                     count});
+                     count_pairs(dear, with_acoustic_limit(cheap, acoustic), number)});
     }
   }
   return out;
@@ -62,27 +74,44 @@ std::pair<const json*, const json*> largest_common(const json& a, const json& b)
   return found;
 }
 
+/// How often the time of a point of a curve was measured.
+double repeats_of(const json& point) {
+  for (const char* sample : {"window", "whole"}) {
+    if (point.contains(sample) && point[sample].is_object())
+      return point[sample]["repeats"].get<double>();
+  }
+  return 1.0;
+}
+
 /// The timed runs of both methods with the same neighbour search, at the largest common size.
-std::vector<Comparison> compare_timed_runs(const json& metrics, Claim& claim) {
+std::vector<Comparison> compare_timed_runs(const Judging& judging, Claim& claim) {
+  const json& metrics = judging.metrics;
+  const std::string &cheaper = judging.statement.methods.at(0),
+                    &dearer = judging.statement.methods.at(1);
+  const auto scatter = timing_scatter(metrics);
   std::vector<Comparison> out;
-  for (const auto& [mps_name, mps] : metrics["scaling"].items()) {
-    for (const auto& [sph_name, sph] : metrics["scaling"].items()) {
-      if (mps["method"] != "mps" || sph["method"] != "sph" || mps["search"] != sph["search"])
+  for (const auto& [dear_name, dear] : metrics["scaling"].items()) {
+    for (const auto& [cheap_name, cheap] : metrics["scaling"].items()) {
+      if (dear["method"] != dearer || cheap["method"] != cheaper ||
+          dear["search"] != cheap["search"])
         continue;
-      const auto [of_mps, of_sph] = largest_common(mps, sph);
-      if (of_mps == nullptr) continue;
+      const auto [of_dear, of_cheap] = largest_common(dear, cheap);
+      if (of_dear == nullptr) continue;
       const std::string size =
-          fixed_text((*of_mps)["fluid_particles"].get<double>(), 0) + " particles";
+          fixed_text((*of_dear)["fluid_particles"].get<double>(), 0) + " particles";
       for (const auto& [what, name] :
            {std::pair{"ms per step, ", "ms_per_step"}, std::pair{"s in total, ", "total_s"}}) {
-        const json& a = (*of_mps)[name];
-        const json& b = (*of_sph)[name];
-        claim.evidence.push_back({what + size + ", " + mps["label"].get<std::string>(), a});
-        claim.evidence.push_back({what + size + ", " + sph["label"].get<std::string>(), b});
+        const json& a = (*of_dear)[name];
+        const json& b = (*of_cheap)[name];
+        claim.evidence.push_back({what + size + ", " + dear["label"].get<std::string>(), a});
+        claim.evidence.push_back({what + size + ", " + cheap["label"].get<std::string>(), b});
         if (!a.is_number() || !b.is_number()) continue;
+        Count count;
+        count.add(is_above(timed(a.get<double>(), scatter, repeats_of(*of_dear)),
+                           timed(b.get<double>(), scatter, repeats_of(*of_cheap))));
         out.push_back({std::string(name == std::string("total_s") ? "in total" : "per step") +
-                           " at " + size + " with the search " + mps["search"].get<std::string>(),
-                       {b.get<double>() < a.get<double>() ? 1U : 0U, 1U}});
+                           " at " + size + " with the search " + dear["search"].get<std::string>(),
+                       count});
       }
     }
   }
@@ -91,17 +120,30 @@ std::vector<Comparison> compare_timed_runs(const json& metrics, Claim& claim) {
 
 }  // namespace
 
-Claim cost_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{"sph_cheaper",
-              "SPH costs less than MPS.",
-              "Section 5.2, Fig. 9",
-              "every SPH run below every MPS run, per step and per simulated second, with the "
-              "paper’s step rule and with a limit by the speed of sound besides, setup and output "
-              "left out; and so the timed runs of the same size and search",
-              "",
-              {}};
-  std::vector<Comparison> all = compare_whole_runs(study, metrics, claim);
-  for (Comparison& timed : compare_timed_runs(metrics, claim)) all.push_back(std::move(timed));
+std::optional<double> timing_scatter(const json& metrics) {
+  double squares = 0.0, freedom = 0.0;
+  for (const auto& curve : metrics.value("scaling", json::object())) {
+    for (const json& point : curve["points"]) {
+      for (const char* sample : {"window", "whole"}) {
+        if (!point.contains(sample) || !point[sample].is_object()) continue;
+        const double more = point[sample]["repeats"].get<double>() - 1.0;
+        if (more <= 0.0) continue;
+        squares += more * std::pow(point[sample]["scatter"].get<double>(), 2);
+        freedom += more;
+      }
+    }
+  }
+  return freedom > 0.0 ? std::optional(std::sqrt(squares / freedom)) : std::nullopt;
+}
+
+Claim judge_cost(const Judging& judging) {
+  Claim claim = claim_of(judging.statement);
+  std::vector<Comparison> all = compare_whole_runs(judging, claim);
+  for (Comparison& timed_runs : compare_timed_runs(judging, claim))
+    all.push_back(std::move(timed_runs));
+  claim.evidence.push_back(
+      {"scatter of repeated timings, a standard deviation over the median",
+       timing_scatter(judging.metrics) ? json(*timing_scatter(judging.metrics)) : json()});
   Count sum;
   std::string fails;
   for (const Comparison& comparison : all) {
@@ -109,47 +151,61 @@ Claim cost_claim(const StudyResult& study, const json& metrics) {
     if (comparison.count.met < comparison.count.all)
       fails += (fails.empty() ? "" : ", ") + comparison.where;
   }
-  claim.verdict = verdict_of(sum, "the quantity: not so " + fails);
+  claim.verdict = verdict_of(sum, judging.statement.condition + " " + fails);
   return claim;
 }
 
-Claim pressure_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{"poisson_dominates",
-              "MPS costs more because it solves a linear system for the pressure.",
-              "Section 5.2",
-              "the pressure takes more than half of the solving time of every MPS run",
-              "",
-              {}};
-  const Runs runs = complete_runs(study, "mps");
-  const ValueOf share = [&](const RunResult& run) {
-    return number_of(metrics, "cost", run, "/share/pressure");
+Claim judge_pressure(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
+  const Runs runs = complete_runs(study, statement);
+  const ValueOf share = [&table = metrics](const RunResult& run) {
+    return number_of(table, "cost", run, "/share/pressure");
   };
   add_evidence(claim, "part of the time, ", runs, share);
+  const auto scatter = timing_scatter(metrics);
+  const JudgedOf number = [&](const RunResult& run) -> std::optional<Judged> {
+    const json known = share(run);
+    if (!known.is_number()) return std::nullopt;
+    // a / (a + b) with the scatter of a and of b, independent of each other
+    const double part = known.get<double>();
+    if (!scatter) return Judged{part, std::nullopt};
+    return Judged{part, coverage * std::sqrt(2.0) * *scatter * part * (1.0 - part)};
+  };
   claim.verdict =
-      verdict_of(count_runs(runs, share, [](double x) { return x > 0.5; }), "the pressure solver");
+      verdict_of(count_above(runs, number, statement.numbers.at("share")), statement.condition);
   return claim;
 }
 
-Claim growth_claim(const json& metrics) {
-  Claim claim{"grows_quadratically",
-              "Without a neighbour search the time grows as the square of the number of particles.",
-              "Section 5.2",
-              "exponent of the time per step over the number of all particles within " +
-                  fixed_text(quadratic, 2) +
-                  " of two for both methods with the all-pairs search: over a range of sizes of 25 "
-                  "that much changes the time by a factor of 1.6",
-              "",
-              {}};
+Claim judge_growth(const Judging& judging) {
+  const Statement& statement = judging.statement;
+  Claim claim = claim_of(statement);
+  const double wanted = statement.numbers.at("exponent"), within = statement.numbers.at("within");
   Count count;
   std::set<std::string> methods;
-  for (const auto& [name, curve] : metrics["scaling"].items()) {
+  for (const auto& [name, curve] : judging.metrics["scaling"].items()) {
     const json exponent = number_at(curve, json::json_pointer("/fit_per_step/exponent"));
+    const json half_width = number_at(curve, json::json_pointer("/fit_per_step/half_width"));
     claim.evidence.push_back({"exponent, " + curve["label"].get<std::string>(), exponent});
     if (curve["search"] != "all_pairs" || !exponent.is_number()) continue;
     methods.insert(curve["method"].get<std::string>());
-    count.add(std::abs(exponent.get<double>() - 2.0) <= quadratic);
+    const std::optional<double> interval =
+        half_width.is_number() ? std::optional(half_width.get<double>()) : std::nullopt;
+    switch (decide(exponent.get<double>() - wanted, within, interval)) {
+      case Outcome::agrees:
+        count.add(Answer::yes);
+        break;
+      case Outcome::differs:
+        count.add(Answer::no);
+        break;
+      case Outcome::undecided:
+        count.add(Answer::open);
+        break;
+    }
   }
-  claim.verdict = methods.size() < 2 ? not_measured : verdict_of(count, "the method");
+  const bool all = std::all_of(statement.methods.begin(), statement.methods.end(),
+                               [&](const std::string& method) { return methods.contains(method); });
+  claim.verdict = all ? verdict_of(count, statement.condition) : not_measured;
   return claim;
 }
 

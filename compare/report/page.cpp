@@ -21,7 +21,20 @@ constexpr const char* python = "/usr/bin/python3";  // Debian's, which has Debia
 json figure_json(const Figure& figure, const fs::path& folder) {
   json tables = json::array();
   for (const Table& table : figure.tables) tables.push_back(table.name);
+  json curves = json::array();
+  for (const PlottedCurve& c : figure.curves)
+    curves.push_back({{"table", c.table},
+                      {"key", c.key},
+                      {"x", c.x},
+                      {"y", c.y},
+                      {"label", c.label},
+                      {"colour", c.colour},
+                      {"points", c.points}});
   return {{"name", figure.name},
+          {"missing", figure.missing},
+          {"curves", curves},
+          {"x_label", figure.x_label},
+          {"y_label", figure.y_label},
           {"title", figure.title},
           {"caption", figure.caption},
           {"wide", figure.width_mm > single_column_mm},
@@ -62,6 +75,7 @@ json page_json(const StudyResult& study, const json& metrics, const std::vector<
   json page{{"title", study.study.title},
             {"has_reference", study.has_reference()},
             {"of_the_paper", study.judges_paper()},
+            {"has_front", study.has_reference() && study.has_front},
             {"reference", study.study.reference},
             {"methods", methods_of(study)},
             {"usual_cohesion", usual_cohesion},
@@ -109,8 +123,10 @@ class TemporaryFile {
 }  // namespace
 
 std::span<const std::array<const char*, 3>> figures_elsewhere() {
-  static constexpr std::array<std::array<const char*, 3>, 3> elsewhere{
-      {{"wall_pressure", "The figure of the wall pressure", "below, with its table"},
+  static constexpr std::array<std::array<const char*, 3>, 4> elsewhere{
+      {{"differences", "The map of the difference to the reference",
+        "below, with the flow patterns"},
+       {"wall_pressure", "The figure of the wall pressure", "below, with its table"},
        {"patterns", "The figure of the flow patterns", "below, with its tables"},
        {"fig8", "Fig. 8, motion of the leading edge", "in the summary"}}};
   return elsewhere;

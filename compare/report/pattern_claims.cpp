@@ -9,25 +9,42 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double alike = 0.9;         ///< overlap of the fluid regions
-constexpr double fragmented = 0.005;  ///< part of the water that is detached after the impact
-constexpr double apart = 0.25;        ///< smallest distance of particles that do not cluster, l0
+/// Of a run that is compared, or of a level.
+json pattern_number(const json& metrics, const RunResult& run, const std::string& pointer) {
+  const char* table = run.study.role == Role::convergence ? "pattern_levels" : "patterns";
+  return number_of(metrics, table, run, pointer);
+}
 
-/// Whether MPS, and only MPS, fragments at one strictness; empty where a method is missing.
-std::optional<bool> only_mps_fragments(const StudyResult& study, const json& metrics,
-                                       std::size_t cohesion) {
+/// Whether runs of the first method, and only they, fragment at one strictness; empty where a
+/// method is missing.
+std::optional<Answer> only_first_fragments(const Judging& judging, std::size_t cohesion) {
+  const auto& [study, metrics, statement] = judging;
   const std::string part = "/detached/" + std::to_string(cohesion) + "/part_mean";
-  const auto fragments = [&](const RunResult& run) -> std::optional<bool> {
-    const json value = number_of(metrics, "patterns", run, part);
-    if (!value.is_number()) return std::nullopt;
-    return value.get<double>() >= fragmented;
+  const ValueOf value = [&, &table = metrics](const RunResult& run) {
+    return pattern_number(table, run, part);
   };
-  const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
-  const auto reference = fragments(study.reference());
-  if (mps.empty() || sph.empty() || !reference) return std::nullopt;
-  const auto yes = [&](const RunResult* run) { return fragments(*run).value_or(false); };
-  return std::all_of(mps.begin(), mps.end(), yes) && std::none_of(sph.begin(), sph.end(), yes) &&
-         !*reference;
+  const double threshold = statement.numbers.at("part");
+  const Runs first = complete_runs(study, statement.methods.at(0));
+  Runs others = complete_runs(study, statement.methods.at(1));
+  others.push_back(&study.reference());
+  const auto fragments = [&, &result = study](const RunResult& run) {
+    const auto judged = judged_by_levels(result, run, value);
+    return judged ? is_above(*judged, {threshold, 0.0}) : Answer::open;
+  };
+  if (first.empty() || others.size() < 2 || !value(study.reference()).is_number())
+    return std::nullopt;
+  Answer answer = Answer::yes;
+  for (const auto& [runs, wanted] : {std::pair{first, Answer::yes}, {others, Answer::no}}) {
+    for (const RunResult* run : runs) {
+      const Answer said = fragments(*run);
+      if (said == Answer::open) {
+        answer = Answer::open;
+      } else if (said != wanted) {
+        return Answer::no;  // one is enough, whatever the others are
+      }
+    }
+  }
+  return answer;
 }
 
 /// Runs without particle collisions: of the comparison or of the sensitivity, however they ended.
@@ -44,12 +61,12 @@ Runs runs_without_collisions(const StudyResult& study) {
 }
 
 json closest(const json& metrics, const RunResult& run, const char* when) {
-  return number_of(metrics, "patterns", run, std::string("/smallest_distance_over_l0/") + when);
+  return pattern_number(metrics, run, std::string("/smallest_distance_over_l0/") + when);
 }
 
 /// What happens in the runs in which nothing but the weight function keeps particles apart; empty
 /// where they stay apart to the end.
-std::string without_collisions(const json& metrics, const Runs& alone, Claim& claim) {
+std::string without_collisions(const json& metrics, const Runs& alone, double apart, Claim& claim) {
   std::string happens;
   for (const RunResult* run : alone) {
     const json ever = number_of(metrics, "without_collisions", *run, "/smallest_distance_over_l0");
@@ -80,47 +97,31 @@ void measure_runs_without_collisions(const StudyResult& study, json& metrics) {
   }
 }
 
-Claim pattern_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{
-      "patterns_alike",
-      "The flow patterns of MPS, SPH and VOF are very similar.",
-      "Section 5.1, Fig. 7",
-      "fluid regions at least half full on a common grid; common part over union, mean over "
-      "time, at least " +
-          fixed_text(alike, 1) +
-          " in every run before and after the impact: what is left of the column where its "
-          "outline, 4 L of it, is displaced by a cell of 20 per L",
-      "",
-      {}};
+Claim judge_patterns(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
+  const Runs runs = complete_runs(study, statement);
   Count count;
   for (const char* when : {"before", "after"}) {
-    const ValueOf mean = [&](const RunResult& run) {
-      return number_of(metrics, "patterns", run, std::string("/overlap/") + when + "_mean");
+    const ValueOf mean = [&, &table = metrics](const RunResult& run) {
+      return pattern_number(table, run, std::string("/overlap/") + when + "_mean");
     };
-    for (const char* method : {"mps", "sph"}) {
-      const Runs runs = complete_runs(study, method);
-      add_evidence(claim, std::string(when) + " impact, ", runs, mean);
-      count += count_runs(runs, mean, [](double x) { return x >= alike; });
-    }
+    add_evidence(claim, std::string(when) + " impact, ", runs, mean);
+    count += count_above(
+        runs,
+        [&, &result = study](const RunResult& run) { return judged_by_levels(result, run, mean); },
+        statement.numbers.at("overlap"));
   }
-  claim.verdict = verdict_of(count, "the time and the formulation: see the numbers");
+  claim.verdict = verdict_of(count, statement.condition);
   return claim;
 }
 
-Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{"only_mps_fragments",
-              "After the impact only MPS shows fragmentation.",
-              "Section 5.1, Fig. 7; section 6",
-              "at least " + fixed_text(fragmented, 3) +
-                  " of the water detached from the main body, mean over the time after the impact "
-                  "(eight of the paper’s 1682 particles: fewer are single drops): so in MPS and in "
-                  "no other, whatever the linking length (particles, in spacings) or the volume "
-                  "fraction at the corners (mesh)",
-              "",
-              {}};
+Claim judge_fragmentation(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
   Count count;
   for (std::size_t c = 0; c < cohesion_count; ++c) {
-    if (const auto said = only_mps_fragments(study, metrics, c)) count.add(*said);
+    if (const auto said = only_first_fragments(judging, c)) count.add(*said);
     for (const RunResult* run : judged_runs(study)) {
       const bool mesh = run->measured->run.is_mesh();
       const std::string at = "/detached/" + std::to_string(c);
@@ -132,39 +133,36 @@ Claim fragmentation_claim(const StudyResult& study, const json& metrics) {
                                 number_of(metrics, "patterns", *run, at + "/pieces_mean")});
     }
   }
-  claim.verdict = verdict_of(count, "how strictly water must hang together to be one piece");
+  claim.verdict = verdict_of(count, statement.condition);
   return claim;
 }
 
-Claim clustering_claim(const StudyResult& study, const json& metrics) {
-  Claim claim{
-      "no_clustering",
-      "The weight function that grows without bound prevents clustering.",
-      "Section 3.1",
-      "median over time of the smallest distance of two particles, over l0, in every MPS "
-      "run above that in every SPH run, whose kernel is bounded; and without the collisions "
-      "between particles, which keep them apart as well, an MPS run comes to its end with "
-      "no two particles ever closer than " +
-          fixed_text(apart, 2) + " l0, half the distance at which collisions act",
-      "",
-      {}};
-  const Runs mps = complete_runs(study, "mps"), sph = complete_runs(study, "sph");
+Claim judge_clustering(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
+  const Runs apart = complete_runs(study, statement.methods.at(0));
+  const Runs close = complete_runs(study, statement.methods.at(1));
   for (const char* when : {"median", "minimum"}) {
     const std::string what =
         std::string(when) == "median" ? "median smallest distance, " : "smallest distance ever, ";
-    for (const Runs& runs : {mps, sph})
-      add_evidence(claim, what, runs,
-                   [&](const RunResult& run) { return closest(metrics, run, when); });
+    for (const Runs& runs : {apart, close})
+      add_evidence(claim, what, runs, [&, &table = metrics](const RunResult& run) {
+        return closest(table, run, when);
+      });
   }
-  add_evidence(claim, "collisions of particles, ", mps, [](const RunResult& run) {
+  add_evidence(claim, "collisions of particles, ", apart, [](const RunResult& run) {
     return number_at(run.manifest, json::json_pointer("/particle_collisions"));
   });
-  const Count count = count_pairs(
-      mps, sph, [&](const RunResult& run) { return closest(metrics, run, "median"); },
-      std::greater<>());
+  const ValueOf median = [&table = metrics](const RunResult& run) {
+    return closest(table, run, "median");
+  };
+  const Count count = count_pairs(apart, close, [&, &result = study](const RunResult& run) {
+    return judged_by_levels(result, run, median);
+  });
   const Runs alone = runs_without_collisions(study);
-  const std::string happens = without_collisions(metrics, alone, claim);
-  claim.verdict = verdict_of(count, "the formulation");
+  const std::string happens =
+      without_collisions(metrics, alone, statement.numbers.at("apart"), claim);
+  claim.verdict = verdict_of(count, statement.condition);
   if (claim.verdict != reproduced) return claim;
   if (alone.empty())
     claim.verdict = "depends on the collisions between particles: no run of this study is without";
@@ -173,23 +171,22 @@ Claim clustering_claim(const StudyResult& study, const json& metrics) {
   return claim;
 }
 
-Claim robustness_claim(const StudyResult& study) {
-  Claim claim{"large_deformation",
-              "MPS and SPH are effective in dealing with large deformations of the free surface.",
-              "Section 6",
-              "every run comes to its end without a lost or non-finite particle",
-              "",
-              {}};
+Claim judge_robustness(const Judging& judging) {
+  const auto& [study, metrics, statement] = judging;
+  Claim claim = claim_of(statement);
   Count count;
   for (const RunResult* run : judged_runs(study)) {
-    if (run->measured->run.is_mesh() || run == &study.reference()) continue;
+    const auto& methods = statement.methods;
+    if (std::find(methods.begin(), methods.end(), run->measured->run.method) == methods.end() ||
+        run == &study.reference())
+      continue;
     const json lost = number_at(run->manifest, json::json_pointer("/lost_particles"));
     const json nonfinite = number_at(run->manifest, json::json_pointer("/nonfinite"));
     count.add(run->status == RunStatus::complete && lost == 0 && nonfinite == 0);
     claim.evidence.push_back({"lost, " + run->label(), lost});
     claim.evidence.push_back({"non-finite, " + run->label(), nonfinite});
   }
-  claim.verdict = verdict_of(count, "the formulation");
+  claim.verdict = verdict_of(count, statement.condition);
   return claim;
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "compare/report/claims.hpp"
+#include "compare/study/scaling.hpp"
+#include "compare/study/water_differences.hpp"
 #include "particle/support/table.hpp"
 
 namespace surge::compare {
@@ -19,13 +21,6 @@ json mean(const std::vector<double>& values) {
 
 json largest(const std::vector<double>& values) {
   return values.empty() ? json() : json(*std::max_element(values.begin(), values.end()));
-}
-
-json median(std::vector<double> values) {
-  if (values.empty()) return nullptr;
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
 }
 
 json overlap_json(const PatternHistory& history, std::optional<Seconds> impact) {
@@ -66,30 +61,69 @@ json distance_json(const PatternHistory& history) {
     if (sample.smallest_distance) values.push_back(*sample.smallest_distance);
   }
   if (values.empty()) return nullptr;
-  return {{"minimum", *std::min_element(values.begin(), values.end())}, {"median", median(values)}};
+  return {{"minimum", *std::min_element(values.begin(), values.end())},
+          {"median", median_of(values)}};
+}
+
+json pattern_json(const StudyResult& study, const RunResult& run) {
+  const PatternHistory& history = study.pattern(run);
+  const auto hit = study.impact_time();
+  json entry{{"label", run.label()},
+             {"overlap", overlap_json(history, hit)},
+             {"overlap_cell_m", overlap_cell(run.measured->run, study.reference_run().run).value()},
+             {"smallest_distance_over_l0", distance_json(history)},
+             {"detached", json::array()}};
+  const auto& rule = run.measured->run.is_mesh() ? corner_levels : linking_lengths;
+  for (std::size_t c = 0; c < cohesion_count; ++c) {
+    entry["detached"].push_back(detached_json(history, hit, c));
+    entry["detached"].back()[run.measured->run.is_mesh() ? "corner_level" : "linking_length"] =
+        rule[c];
+    entry["detached"].back()["threshold"] = rule[c];
+  }
+  return entry;
+}
+
+/// Means over another time than that of the runs beside it say nothing of these.
+void keep_what_is_before(json& entry) {
+  entry["overlap"]["after_mean"] = nullptr;
+  entry["overlap"]["after_minimum"] = nullptr;
+  entry["smallest_distance_over_l0"] = nullptr;
+  entry["detached"] = json::array();
+}
+
+/// At each of the study's snapshot times: where only the run has water, only the reference, both.
+json differences_json(const StudyResult& study, const RunResult& run) {
+  json out = json::array();
+  for (Seconds time : study.study.snapshot_times) {
+    const auto found = water_difference(study, run, time);
+    if (!found) continue;
+    const auto part = found->part();
+    out.push_back({{"time_s", time.value()},
+                   {"unit", found->dimension == 3 ? "m3" : "m2"},
+                   {"only_run", found->size_of(found->cells.only_first)},
+                   {"only_reference", found->size_of(found->cells.only_second)},
+                   {"both", found->size_of(found->cells.both)},
+                   {"over_reference", part ? json(*part) : json()}});
+  }
+  return out;
 }
 
 }  // namespace
 
 void measure_patterns(const StudyResult& study, json& metrics) {
   json& out = metrics["patterns"] = json::object();
-  const auto hit = study.impact_time();
   for (const RunResult* run : study.measured()) {
-    const PatternHistory& history = study.pattern(*run);
-    json entry{
-        {"label", run->label()},
-        {"overlap", overlap_json(history, hit)},
-        {"overlap_cell_m", overlap_cell(run->measured->run, study.reference_run().run).value()},
-        {"smallest_distance_over_l0", distance_json(history)},
-        {"detached", json::array()}};
-    const auto& rule = run->measured->run.is_mesh() ? corner_levels : linking_lengths;
-    for (std::size_t c = 0; c < cohesion_count; ++c) {
-      entry["detached"].push_back(detached_json(history, hit, c));
-      entry["detached"].back()[run->measured->run.is_mesh() ? "corner_level" : "linking_length"] =
-          rule[c];
-      entry["detached"].back()["threshold"] = rule[c];
-    }
-    out[run->study.name] = entry;
+    out[run->study.name] = pattern_json(study, *run);
+    if (run != &study.reference())
+      out[run->study.name]["differences"] = differences_json(study, *run);
+  }
+  json& levels = metrics["pattern_levels"] = json::object();
+  const auto end = study.reference().last_time();
+  for (const RunResult* run : study.runs_of(Role::convergence)) {
+    if (run->measured == nullptr || study.pattern(*run).empty()) continue;
+    json entry = pattern_json(study, *run);
+    if (!end || run->last_time() < *end - Seconds(1e-6)) keep_what_is_before(entry);
+    levels[run->study.name] = std::move(entry);
   }
 }
 

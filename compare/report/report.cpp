@@ -29,6 +29,7 @@ void write_text(const fs::path& file, const std::string& text) {
 json report_metrics(const StudyResult& study) {
   MetricsOptions options;
   options.front = study.front_options();
+  options.with_front = study.has_front;
   json out{{"study", {{"title", study.study.title}}}};
   if (study.has_reference()) {
     std::vector<PublishedSeries> published = study.published;
@@ -38,7 +39,8 @@ json report_metrics(const StudyResult& study) {
   }
   for (const Section& section : report_sections())
     if ((!section.needs_reference || study.has_reference()) &&
-        (!section.of_the_paper || study.judges_paper()))
+        (!section.of_the_paper || study.judges_paper()) &&
+        (!section.needs_front || study.has_front))
       section.measure(study, out);
   return out;
 }

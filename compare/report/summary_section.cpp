@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "compare/report/claim_parts.hpp"
@@ -21,7 +22,7 @@ const RunResult* nearest_run(const StudyResult& study, const json& metrics,
   for (const RunResult* run : study.measured()) {
     const bool counts = run != &study.reference() && run->status == RunStatus::complete &&
                         run->note.empty() && run->measured->run.method == method &&
-                        is_of_the_paper(*run) == of_the_paper;
+                        is_of_the_paper(study, *run) == of_the_paper;
     if (counts && (best == nullptr || error(*run) < error(*best))) best = run;
   }
   return best;
@@ -38,6 +39,13 @@ json entry_of(const RunResult* run, const json& metrics, const std::string& agai
           {"max", front["max_vs_" + against]},
           {"bias", front["bias_vs_" + against]},
           {"wall_s", timing.contains("wall_s") ? timing["wall_s"] : json()}};
+}
+
+/// "MPS" of "mps".
+std::string upper_case(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
 }
 
 }  // namespace
@@ -58,14 +66,19 @@ void measure_summary(const StudyResult& study, json& metrics) {
   out["complete"] = std::count_if(study.runs.begin(), study.runs.end(), [](const RunResult& run) {
     return run.status == RunStatus::complete;
   });
+  out["nearer"] = nullptr;
+  for (const char* table : {"methods", "beyond"}) out[table] = json::object();
   std::set<std::string> processors;
   for (const RunResult* run : study.measured()) {
     const json& manifest = run->measured->run.manifest;
     if (manifest.is_object() && manifest.contains("cpu")) processors.insert(manifest["cpu"]);
   }
   out["processors"] = processors;
-  std::set<std::string> methods{"mps",
-                                "sph"};  // the paper's are always told of, if only as missing
+  if (!study.has_front) return;
+  // Those that a publication compares are always told of, if only as missing.
+  const Statement* accuracy = study.study.statements.of_rule("more_accurate");
+  std::set<std::string> methods;
+  if (accuracy != nullptr) methods.insert(accuracy->methods.begin(), accuracy->methods.end());
   for (const RunResult* run : study.measured())
     if (run != &study.reference()) methods.insert(run->measured->run.method);
   for (const std::string& method : methods) {
@@ -74,12 +87,15 @@ void measure_summary(const StudyResult& study, json& metrics) {
           nearest_run(study, metrics, method, of_the_paper, "rms_vs_" + against), metrics, against);
     }
   }
-  const json& mps = out["methods"]["mps"];
-  const json& sph = out["methods"]["sph"];
   out["nearer"] = nullptr;
-  if (mps.is_null() || sph.is_null()) return;
-  const double a = mps["rms"], b = sph["rms"];
-  out["nearer"] = a <= b ? "MPS" : "SPH";
+  if (accuracy == nullptr) return;
+  out["statement"] = accuracy->text;
+  for (const std::string& method : accuracy->methods) out["compared"].push_back(upper_case(method));
+  const json& first = out["methods"][accuracy->methods.at(0)];
+  const json& second = out["methods"][accuracy->methods.at(1)];
+  if (first.is_null() || second.is_null()) return;
+  const double a = first["rms"], b = second["rms"];
+  out["nearer"] = out["compared"][a <= b ? 0 : 1];
   out["rms_ratio"] = std::max(a, b) > 0.0 ? std::min(a, b) / std::max(a, b) : 1.0;
 }
 

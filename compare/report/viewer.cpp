@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
+#include "compare/figures/surface.hpp"
 #include "compare/report/viewer_encoding.hpp"
 
 namespace surge::compare {
@@ -14,83 +14,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_times = 100;
-/// A film of fewer pictures is none: rather a run less.
-constexpr std::size_t fewest_times = 26;
-constexpr std::size_t most_runs = 6;
-/// Squares on which water of a mesh is shown, per L.
-constexpr double squares_per_length = 20.0;
 /// The part of the reference's water that the panels must show; drops above are marked.
 constexpr double shown_part = 0.98;
-
-/// Edge of the squares of a mesh run, over L.
-double square_edge(const Run& run) {
-  return std::max(1.0 / squares_per_length, run.spacing / run.physics.column_width());
-}
-
-/// Bytes of one time in the page; on a mesh an estimate for thoroughly splashed water.
-double bytes_per_time(const RunResult& result) {
-  const Run& run = result.measured->run;
-  double bytes = 0.0;
-  if (run.is_mesh()) {
-    const auto up = static_cast<std::size_t>(run.physics.vertical_axis());
-    const Extent& column = run.physics.column;
-    const double height =
-        (column.upper[up] - column.lower[up]) / run.physics.column_width().value();
-    const double edge = square_edge(run);
-    const double surface = 20.0 / (run.spacing / run.physics.column_width());
-    bytes = 7.0 * 2.0 * height / (edge * edge) + 8.0 * surface;
-  } else {
-    bytes =
-        6.0 * double(water_picture(run.frames->read(0, {.pressure = true}), run).patches.size());
-  }
-  return bytes * 4.0 / 3.0;
-}
-
-/// The reference and the first of each other method and preset.
-std::vector<const RunResult*> candidates(const StudyResult& study) {
-  const auto kind = [](const RunResult& run) {
-    return std::pair(run.measured->run.method, run.measured->run.preset);
-  };
-  std::set<std::pair<std::string, std::string>> seen{kind(study.reference())};
-  std::size_t others = 0;
-  std::vector<const RunResult*> runs;
-  for (const RunResult* run : study.measured()) {
-    const bool reference = run == &study.reference();
-    if (!reference && (others + 1 == most_runs || !seen.insert(kind(*run)).second)) continue;
-    if (!reference) ++others;
-    runs.push_back(run);
-  }
-  return runs;
-}
-
-/// Of the run that lasts longest, of several the one with the fewest frames: the last time and
-/// every stride-th before it, but not the start, for which no program has computed a pressure.
-std::vector<Seconds> times_of(const std::vector<const RunResult*>& runs, std::size_t most) {
-  const std::vector<Seconds>* longest = nullptr;
-  for (const RunResult* run : runs) {
-    const auto& times = run->measured->run.frames->times();
-    const double later = longest ? (times.back() - longest->back()).value() : 1.0;
-    // Times of different programs differ by rounding.
-    const bool as_late = std::abs(later) < 1e-6;
-    if (as_late ? times.size() < longest->size() : later > 0.0) longest = &times;
-  }
-  const std::size_t steps = longest->size() - 1;
-  const std::size_t stride = std::max<std::size_t>(1, (steps + most - 1) / most);
-  std::vector<Seconds> times;
-  for (std::size_t i = steps; i > 0; i -= std::min(i, stride)) times.push_back((*longest)[i]);
-  std::reverse(times.begin(), times.end());
-  return times;
-}
-
-/// Z/L of a run at a time of the viewer; null where it has no leading edge any more.
-json front_at(const MeasuredRun& run, DimensionlessTime time) {
-  const auto& last = run.front.samples.back();
-  // Times of different programs differ by rounding.
-  if (std::abs((time - last.time).value()) < 1e-6) return last.position.value();
-  const auto position = run.front.at(time);
-  return position ? json(position->value()) : json();
-}
 
 /// gnuplot's dash as lengths for a drawing on the screen.
 json dash_lengths(const std::string& dash) {
@@ -116,33 +41,53 @@ LineStyle style_of(const StudyResult& study, const RunResult* shown) {
 
 struct Shown {  // NOLINT(bugprone-exception-escape): what json destroys throws nothing
   json run;
-  json surface;
-  double height = 0.0;  ///< that the water needs, over L
+  double height = 0.0;           ///< that the water needs, over L
+  std::array<double, 2> span{};  ///< along x, over L
 };
+
+/// Water at all times of the plan. `add(patches)` and `encoded()` are the track's; in 3D it gets
+/// all of the water, and the line of the free surface is that of the slice.
+template <typename Track, typename Prepare>
+Shown followed(const RunResult* result, const ViewerPlan& plan, Track water, Prepare prepare) {
+  const Run& run = result->measured->run;
+  const bool in_space = run.physics.dimension == 3;
+  SurfaceTrack surface(run.spacing / run.physics.column_width());
+  const Solids solids = solids_of(run);
+  Shown shown;
+  for (Seconds time : plan.times) {
+    const auto index = frame_near(run.frames->times(), time);
+    if (!index) {
+      water.add({});
+      surface.add({});
+      continue;
+    }
+    const Frame frame = run.frames->read(*index, {.pressure = true, .velocity = true});
+    const WaterPicture picture = water_picture(frame, run);
+    water.add(prepare(in_space ? water_in_space(frame, run) : picture.patches));
+    surface.add(free_surface(picture, solids, time));
+    shown.height = std::max(shown.height, picture.height_of(shown_part));
+  }
+  shown.run["water"] = water.encoded();
+  shown.run["surface"] = surface.encoded();
+  shown.span = water.span();
+  return shown;
+}
 
 Shown encode(const StudyResult& study, const ViewerPlan& plan, const RunResult* result) {
   const Run& run = result->measured->run;
-  WaterTrack water(run.is_mesh());
-  SurfaceTrack surface;
-  Shown shown;
-  for (Seconds time : plan.times) {
-    auto index = frame_near(run.frames->times(), time);
-    if (index == std::size_t{0}) index = run.frames->times().size() > 1 ? 1 : 0;  // as in times_of
-    const WaterPicture picture =
-        index ? water_picture(run.frames->read(*index, {.pressure = true, .velocity = true}), run)
-              : WaterPicture{};
-    water.add(run.is_mesh() ? coarse_cells(picture.patches, square_edge(run)) : picture.patches);
-    surface.add(picture.surface);
-    shown.height = std::max(shown.height, picture.height_of(shown_part));
-  }
-  shown.run = water.encoded();
+  const int dimension = run.physics.dimension;
+  const double edge = viewer_square(run), spacing = run.spacing / run.physics.column_width();
+  Shown shown = run.is_mesh()
+                    ? followed(result, plan, MeshTrack(edge, dimension),
+                               [&](const auto& cells) { return coarse_cells(cells, edge); })
+                    : followed(result, plan, ParticleTrack(spacing, dimension),
+                               [](const auto& particles) { return particles; });
   const LineStyle style = style_of(study, result);
   shown.run["name"] = result->study.name;
   shown.run["label"] = result->label();
   shown.run["note"] = result->note;
   shown.run["colour"] = style.colour.hex();
   shown.run["dash"] = dash_lengths(style.dash);
-  if (run.is_mesh()) shown.surface = surface.encoded();
   return shown;
 }
 
@@ -155,75 +100,96 @@ std::string palette() {
   return base64(bytes);
 }
 
+/// A side that is not known is null.
+json number_or_null(double value) {
+  return std::isfinite(value) ? json(value) : json();
+}
+
+json rectangle_json(const Rectangle& box) {
+  return {number_or_null(box.x0), number_or_null(box.y0), number_or_null(box.x1),
+          number_or_null(box.y1)};
+}
+
+json box_json(const Rectangle& plane, const DepthRange& depth) {
+  return {number_or_null(plane.x0), number_or_null(plane.y0), number_or_null(depth.from),
+          number_or_null(plane.x1), number_or_null(plane.y1), number_or_null(depth.to)};
+}
+
+/// The same in space, boxes of [x0, y0, z0, x1, y1, z1]: {"tank", "obstacles", "walls": [one box
+/// per time]}, the plane of the slice, {"middle"}, over L, and {"towards"}: 1 where x, up and the
+/// depth are a right-handed system, else -1.
+json space_json(const Run& run, const Solids& solids, const std::vector<Seconds>& times) {
+  const PictureScale scale(run);
+  json out{{"tank", solids.tank ? box_json(*solids.tank, solids.tank_depth) : json()},
+           {"middle", scale.z(scale.middle)},
+           {"towards", scale.up == 1 ? 1 : -1},
+           {"obstacles", json::array()},
+           {"walls", json::array()}};
+  for (const Solids::Block& block : solids.blocks)
+    out["obstacles"].push_back(box_json(block.plane, block.depth));
+  for (const Solids::MovingWall& wall : solids.walls) {
+    json boxes = json::array();
+    for (Seconds time : times) boxes.push_back(box_json(wall.at(time), wall.depth_at(time)));
+    out["walls"].push_back(boxes);
+  }
+  return out;
+}
+
+/// {"tank": [x0, y0, x1, y1] or null, "open": sides, "obstacles": [boxes], "walls": [{"boxes": one
+/// per time}]}, over L.
+json solids_json(const Solids& solids, const std::vector<Seconds>& times) {
+  json out{{"tank", solids.tank ? rectangle_json(*solids.tank) : json()},
+           {"open", solids.open},
+           {"up", solids.up_side.substr(0, 1)},
+           {"obstacles", json::array()},
+           {"walls", json::array()}};
+  for (const Rectangle& box : solids.obstacles) out["obstacles"].push_back(rectangle_json(box));
+  for (const Solids::MovingWall& wall : solids.walls) {
+    json boxes = json::array();
+    for (Seconds time : times) boxes.push_back(rectangle_json(wall.at(time)));
+    out["walls"].push_back(boxes);
+  }
+  return out;
+}
+
 json page_data(const StudyResult& study, const ViewerPlan& plan, const json& metrics) {
+  const Run& solid = viewer_solid_run(study, plan);
+  const Solids solids = solids_of(solid);
   json data{{"metrics", metrics.at("viewer")},
             {"palette", palette()},
             {"runs", json::array()},
-            {"surface", nullptr}};
+            {"title", study.study.title},
+            {"solids", solids_json(solids, plan.times)},
+            {"space", nullptr}};
+  if (solid.physics.dimension == 3) data["space"] = space_json(solid, solids, plan.times);
   const auto end = window_end(study);
   data["window_end"] = end ? json(end->value()) : json();
-  double width = 1.0;
-  if (const auto wall = study.wall().far_wall) width = wall->value();
-  double height = 1.0;
+  double left = 0.0, right = 1.0, height = 1.0;
+  bool left_known = false, right_known = false;
+  if (solids.tank) {
+    left_known = std::isfinite(solids.tank->x0);
+    right_known = std::isfinite(solids.tank->x1);
+    if (left_known) left = solids.tank->x0;
+    if (right_known) right = solids.tank->x1;
+  }
   for (const RunResult* run : plan.runs) {
     Shown shown = encode(study, plan, run);
     const bool reference = run == &study.reference();
-    if (!study.wall().far_wall) width = std::max(width, shown.run["x"][1].get<double>());
+    if (!left_known) left = std::min(left, shown.span[0]);
+    if (!right_known) right = std::max(right, shown.span[1]);
     if (reference) height = shown.height;
-    if (!shown.surface.is_null() && (reference || data["surface"].is_null())) {
-      data["surface"] = std::move(shown.surface);
-    }
+    shown.run["reference"] = reference;
     data["runs"].push_back(std::move(shown.run));
   }
-  data["view"] = {{"width", width}, {"height", std::ceil(2.0 * (height + 0.05)) / 2.0}};
+  height = std::ceil(2.0 * (height + 0.05)) / 2.0;
+  // A tank that is hardly higher than its water is shown to its roof.
+  if (solids.tank && std::isfinite(solids.tank->y1))
+    height = std::min(height, std::max(solids.tank->y1, 0.1));
+  data["view"] = {{"x0", left}, {"y0", 0.0}, {"width", right - left}, {"height", height}};
   return data;
 }
 
 }  // namespace
-
-ViewerPlan plan_viewer(const StudyResult& study, double budget) {
-  ViewerPlan plan;
-  plan.runs = candidates(study);
-  std::vector<double> bytes;
-  for (const RunResult* run : plan.runs) bytes.push_back(bytes_per_time(*run));
-  const auto affordable = [&] {
-    double sum = 0.0;
-    for (double b : bytes) sum += b;
-    return static_cast<std::size_t>(budget / sum);
-  };
-  while (plan.runs.size() > 1 && affordable() < fewest_times) {
-    std::size_t largest = plan.runs.front() == &study.reference() ? 1 : 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-      if (plan.runs[i] != &study.reference() && bytes[i] > bytes[largest]) largest = i;
-    }
-    plan.runs.erase(plan.runs.begin() + static_cast<std::ptrdiff_t>(largest));
-    bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(largest));
-  }
-  for (const RunResult* run : study.measured()) {
-    if (std::find(plan.runs.begin(), plan.runs.end(), run) == plan.runs.end()) {
-      plan.left_out.push_back(run);
-    }
-  }
-  plan.times = times_of(plan.runs, std::clamp<std::size_t>(affordable(), 2, most_times));
-  return plan;
-}
-
-void measure_viewer(const StudyResult& study, json& metrics) {
-  const ViewerPlan plan = plan_viewer(study);
-  const Scales scales = study.reference_run().run.physics.scales();
-  json& out = metrics["viewer"];
-  out["colour_range"] = {0.0, 1.0};
-  for (Seconds time : plan.times) {
-    out["times_s"].push_back(time.value());
-    out["T"].push_back(scales.dimensionless(time).value());
-  }
-  for (const RunResult* run : plan.runs) {
-    json& front = out["Z_over_L"][run->study.name];
-    for (Seconds time : plan.times) {
-      front.push_back(front_at(*run->measured, scales.dimensionless(time)));
-    }
-  }
-}
 
 json viewer_json(const StudyResult& study, const json& metrics) {
   const ViewerPlan plan = plan_viewer(study);

@@ -2,8 +2,8 @@
 
 A run that was made before, from the same case with the same overrides, is expected to take as long
 as then, even if the program has changed since. Any other is expected to take its steps times its
-particles (or cells), as the program tells them, times what one costs here: that of SPH and of MPS is
-measured by a short run. The rates of the other solvers and searches over those were measured once,
+particles (or cells), as the program tells them, times what one costs here: that of each method and preset
+is measured by a short run. The rates of the other solvers and searches over those were measured once,
 and hold within a factor of two; the estimate is one of the whole plan, not of each run.
 """
 
@@ -19,11 +19,13 @@ from study import PROGRAMS, RUNS, Run
 # A column of 800 particles; long enough for a hundred steps and more, a fraction of a second.
 CALIBRATION = ["particle/cases/dam_break.toml", "--set", "resolution.spacing=0.00725"]
 CALIBRATION_END = {"sph": 0.02, "mps": 0.1}
+PAPER = "paper"  # the preset whose rate the factors below are of
 SPH_PAIR = 2.5e-3  # a pair of the all-pairs search, in steps of a particle with the cell grid
 MPS_PAIR = 1.6e-4
 MPS_MULTIGRID = 0.55  # instead of ICCG
 ICCG_GROWTH = 0.2  # its cost per particle goes with this power of their number
 VOF_CELL = 0.6  # step of a cell, in those of an MPS particle of the calibration
+SPACE = 4.0  # neighbours in three dimensions over those in two, 113 to 28 within three spacings
 START_S = 0.3  # of a run besides its steps
 FOAM_START_S = 2.0
 REPORT_RUN_S = 0.5  # to read a run into the report
@@ -51,9 +53,10 @@ def _total(runs: list[tuple[float, bool, int]], cores: int) -> float:
     return alone + max([area, *(cost for cost, _ in shared)])
 
 
-def estimate(runs: list[Run]) -> Estimate:
+def estimate(runs: list[Run], rates: dict[str, float | None] | None = None) -> Estimate:
+    """`rates`: what earlier calibrations of this machine have found, and those made here."""
     found = Estimate()
-    rates: dict[str, float | None] = {}
+    rates = {} if rates is None else rates
     known: dict[tuple, float | None] = {}  # repetitions cost the same
     for run in runs:
         seconds = _last_time(run)
@@ -90,21 +93,26 @@ def _modelled(run: Run, rates: dict[str, float | None]) -> float | None:
 
 def _particles(run: Run, rates: dict[str, float | None]) -> float | None:
     case, size = run.resolved["case"], run.resolved["size"]
-    method = case["method"]["name"]
+    method, preset = case["method"]["name"], case["method"].get("preset", PAPER)
     options = case["method"]["parameters"]
-    rate = _rate(method, rates)
+    rate = _rate(method, rates, preset)
     if rate is None:
         return None
     fluid, wall, steps = (float(size[key]) for key in ("fluid_particles", "wall_particles", "steps"))
     if method != "sph":  # the steps of SPH go with the sound
         steps = max(1.0, steps * _share_of_speed(case, steps))
     pairs = (fluid + wall) ** 2 if case["search"]["neighbours"] == "all_pairs" else 0.0
-    if method == "sph":
+    if preset != PAPER:
+        # the preset itself was measured
+        work = fluid + (SPH_PAIR if method == "sph" else MPS_PAIR) * pairs
+    elif method == "sph":
         width = options["h_over_l0"] / 1.2
         work = fluid * width**2 + SPH_PAIR * pairs
     else:
         iccg = (fluid / 800) ** ICCG_GROWTH
         work = fluid * (iccg if options.get("ppe_solver") == "iccg" else MPS_MULTIGRID) + MPS_PAIR * pairs
+    if case.get("dimension", 2) == 3:
+        work *= SPACE
     return START_S + rate * work * steps / min(run.threads, 4) ** 0.7
 
 
@@ -139,18 +147,20 @@ def _cells_and_steps(case: dict) -> tuple[float, float]:
     return cells, case["time"]["end"] * speed / (0.5 * spacing)
 
 
-def _rate(method: str, rates: dict[str, float | None]) -> float | None:
+def _rate(method: str, rates: dict[str, float | None], preset: str = PAPER) -> float | None:
     """Seconds of a step of one fluid particle here, by a short run."""
-    if method not in rates:
-        rates[method] = _calibrate(method)
-    return rates[method]
+    key = f"{method} {preset}"
+    if key not in rates:
+        rates[key] = _calibrate(method, preset)
+    return rates[key]
 
 
-def _calibrate(method: str) -> float | None:
+def _calibrate(method: str, preset: str) -> float | None:
     end = CALIBRATION_END.get(method, CALIBRATION_END["mps"])
     with tempfile.TemporaryDirectory(prefix="calibration-") as folder:
         command = [str(PROGRAMS / "surge-particle"), "run", *CALIBRATION, "--out", f"{folder}/run",
-                   "--set", f"method.name={method}", "--set", f"time.end={end}",
+                   "--set", f"method.name={method}", "--set", f"method.preset={preset}",
+                   "--set", f"time.end={end}",
                    "--set", f"output.interval={end}"]
         try:
             subprocess.run(command, capture_output=True, check=True)

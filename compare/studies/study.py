@@ -11,18 +11,28 @@ play no part.
 import functools
 import hashlib
 import json
+import math
+import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 BUILD = Path("build/release")
 PROGRAMS = BUILD / "bin"
 RUNS = Path("runs")
-REPORT = Path("report")
+REPORT = Path(os.environ.get("SURGE_REPORT", "report"))  # of the catalogue, each study has its own
 # The commit; the presets are part of a run's case; the text of the sources, of which comments are a part.
 NO_CODE = ("version.cpp.o", "preset_files.cpp.o", "source_hash.cpp.o")
+
+# Of memory, MiB: the scripts around a run; the report; a run of which nothing is known; as foam_cases/size.cpp
+# has them, a process of interFoam and a million cells.
+SCRIPTS_MB, REPORT_MB, UNKNOWN_MB, FOAM_PROCESS_MB, FOAM_CELLS_MB = 300, 4000, 4000, 140, 1700
+MEMORY_MARGIN = 1.25  # what is expected of a run is a guess
+
+FILES = "files"  # in a stamp: names and sizes of all that lies beside it
 
 # What a foam case leaves behind when it is run in place; the rest is the case.
 FOAM_OUTPUT = re.compile(
@@ -109,6 +119,22 @@ class Run:
             return "failed or stopped last time" if tried else "not there yet"
         return f"changed: {_changes(stamps[0], self.inputs())}"
 
+    def memory_mb(self) -> int:
+        """What a job that makes this run asks a scheduler for, MiB."""
+        try:
+            if self.program == "surge-particle":
+                expected = self.resolved["size"]["memory_bytes"] / 2**20
+            elif self.made_from_case_file:
+                expected = _foam_size(self)["memory_bytes"] / 2**20 + FOAM_PROCESS_MB * (self.threads - 1)
+            else:
+                cells = 36 * self.resolved["parameters"]["cellsPerL"] ** 2
+                expected = FOAM_PROCESS_MB * self.threads + FOAM_CELLS_MB * cells / 1e6
+        except (KeyError, TypeError):
+            print(f"{self.name}: how much memory it takes is not known, {UNKNOWN_MB} MB are asked for",
+                  file=sys.stderr)
+            return UNKNOWN_MB
+        return math.ceil(MEMORY_MARGIN * expected) + SCRIPTS_MB
+
     def complete(self) -> bool:
         """Whether the program left a manifest that says that it came to its end."""
         try:
@@ -120,9 +146,8 @@ class Run:
 
     def _withdraw_broken_stamps(self) -> None:
         """A stamp vouches for the folder as it was then: not if somebody wrote there since."""
-        manifest = self.folder / "manifest.json"
         for stamp in self.folder.glob(".finished-*"):
-            if not self.complete() or manifest.stat().st_mtime > stamp.stat().st_mtime:
+            if not self.complete() or not _intact(stamp):
                 stamp.unlink()
 
 
@@ -157,6 +182,9 @@ class Study:
         if any(run.state() != "up to date" for run in self.runs):
             return "follows the runs"
         newest = max((run.stamp().stat().st_mtime for run in self.computed), default=0.0)
+        if stamp.exists() and not _intact(stamp):
+            stamp.unlink()
+            return "its files were changed or cut since"
         if stamp.exists():
             return "up to date" if stamp.stat().st_mtime >= newest else "older than a run"
         stamps = list(REPORT.glob(".finished-*"))
@@ -191,6 +219,17 @@ def _run(entry: dict) -> Run:
                settings=tuple(entry["settings"]), threads=entry["threads"], timed=entry["timed"],
                may_break=entry["may_break"], resolved=entry["resolved"] or {},
                roles=tuple(f"{role['role']} {role['group']}" for role in entry["roles"]))
+
+
+def _foam_size(run: Run) -> dict:
+    """What the OpenFOAM case of a case file will take, as surge-foam tells it."""
+    words = [word for setting in run.settings for word in
+             (["--foam", setting.removeprefix("foam.")] if setting.startswith("foam.") else ["--set", setting])]
+    told = subprocess.run([str(PROGRAMS / "surge-foam"), "check", str(run.case), "--json", *words],
+                          capture_output=True, text=True, check=False)
+    if told.returncode != 0:
+        raise StudyError(f"{run.name}: {told.stderr.strip().removeprefix('surge-foam: ')}")
+    return json.loads(told.stdout)["size"]
 
 
 # --- digests -------------------------------------------------------------------------------------
@@ -260,8 +299,32 @@ def write_stamp(stamp: Path, inputs: dict[str, str]) -> None:
     for old in stamp.parent.glob(".finished-*"):
         old.unlink()
     partial = stamp.with_name(".finishing")
-    partial.write_text(json.dumps(inputs, indent=1) + "\n")
+    partial.unlink(missing_ok=True)
+    partial.write_text(json.dumps(inputs | {FILES: _sizes(stamp.parent)}, indent=1) + "\n")
     partial.rename(stamp)
+
+
+def _sizes(folder: Path) -> dict[str, int]:
+    return {str(path.relative_to(folder)): path.stat().st_size
+            for path in sorted(folder.rglob("*"))
+            if path.is_file() and not path.name.startswith(".")}
+
+
+def _intact(stamp: Path) -> bool:
+    """Whether the files beside a stamp are those that it was made for: all there, of the same size,
+    and none written to since. What was added to them does no harm."""
+    try:
+        inputs = json.loads(stamp.read_text(encoding="utf-8"))
+        made = stamp.stat().st_mtime
+        if FILES not in inputs:  # a stamp of an earlier version
+            manifest = stamp.parent / "manifest.json"
+            return not manifest.exists() or manifest.stat().st_mtime <= made
+        files = inputs[FILES]
+        found = {name: (stamp.parent / name).stat() for name in files}
+        return all(found[name].st_size == size and found[name].st_mtime <= made
+                   for name, size in files.items())
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return False
 
 
 def _changes(stamp: Path, inputs: dict[str, str]) -> str:

@@ -10,6 +10,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -173,7 +174,7 @@ def _show_failure(name: str, log: Path, seconds: float, status: int) -> None:
     print("\n".join("    " + line for line in lines[-LOG_LINES:]), flush=True)
     cause = next((line for line in reversed(lines) if not line.startswith("+ ")), "")
     if status < 0:
-        cause = f"ended by signal {-status}"
+        cause = f"ended by signal {-status}, {signal.strsignal(-status)}"
     if shutil.disk_usage(log.parent).free < FULL:
         cause = f"the disk that {log.parent} lies on is full" + (f": {cause}" if cause else "")
     _keep_cause(f"{name}: {cause or 'it ended without a word'} (log {log})")
@@ -209,13 +210,22 @@ def plan(study: Study, force: bool, cores: int, keep: bool) -> None:
         print(f"estimate: {_duration(study, to_make, found, cores)}", flush=True)
 
 
+def _bytes(number: float) -> str:
+    """"1.5 GB"; decimal units, as the programs print them."""
+    for unit in ("B", "kB", "MB"):
+        if number < 999.5:
+            return f"{number:.3g} {unit}"
+        number /= 1000
+    return f"{number:.1f} GB"
+
+
 def _check_disk(to_make: list[Run]) -> None:
     """Refuses a plan whose particle runs will not find room; what foam runs take is not known."""
     needed = sum(run.resolved.get("size", {}).get("disk_bytes", 0.0) for run in to_make)
     free = shutil.disk_usage(RUNS if RUNS.exists() else ".").free
     if needed > free:
-        raise StudyError(f"{RUNS}: found {free / 1e9:.1f} GB free on its disk, expected room for the "
-                         f"{needed / 1e9:.1f} GB that the runs will take")
+        raise StudyError(f"{RUNS}: no space for the runs: found {_bytes(free)} free on its disk, expected "
+                         f"room for the {_bytes(needed)} that they will take")
 
 
 def _duration(study: Study, to_make: list[Run], found: estimate.Estimate, cores: int) -> str:

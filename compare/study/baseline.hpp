@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/measure/front.hpp"
-#include "compare/study/metrics.hpp"
+#include "compare/measure/observable.hpp"
+#include "compare/read/source_options.hpp"
 
 namespace surge::compare {
 
@@ -21,8 +23,34 @@ struct Provenance {
   std::string reason;
 };
 
-/// A run's front and counts as they were when somebody found them right, with tolerances. Stored
-/// as JSON; read_baseline() accepts nothing unknown, missing or not finite.
+/// How far a value may be off: max(absolute, relative |expected|). A curve may also be early or
+/// late by `time`: the expected value must lie between what was found within that time, widened by
+/// the rest.
+struct Tolerance {
+  double absolute = 0.0;  ///< in the unit of the values
+  double relative = 0.0;
+  double time = 0.0;  ///< s; of profiles it is how far their time may be off
+
+  [[nodiscard]] double of(double expected) const;
+};
+
+/// A result of an observable, over time or, of a profile, over a position at one time.
+struct BaselineCurve {
+  std::string observable;      ///< as it is asked for, "gauge:x=0.3"
+  std::string series;          ///< name of the result, "centre-of-mass.x"
+  std::string unit;            ///< of the values
+  std::optional<double> time;  ///< s, of a profile
+  std::vector<double> at;      ///< s or, of a profile, m; increasing
+  std::vector<double> values;
+  double interval = 0.0;  ///< largest one between neighbours in the source, s or m
+  Tolerance tolerance;
+
+  /// "gauge:x=0.3", "profile:times=0.1 at 0.1 s"
+  [[nodiscard]] std::string name() const;
+};
+
+/// What a source gave when somebody found it right, with tolerances. Stored as JSON, which
+/// read_baseline() accepts only as write_baseline() wrote it.
 struct Baseline {
   struct Value {
     double value = 0.0;
@@ -30,47 +58,33 @@ struct Baseline {
   };
 
   Provenance measured;
-  Metres strip_height;
-  double linking_length = 2.0;
-  std::map<std::string, std::string> identity;  ///< method, preset
-  DimensionlessLength front_tolerance;          ///< of Z/L at each T of front
-  DimensionlessFront front;
-  DimensionlessTime arrival_tolerance;               ///< of T at each level
-  std::map<std::string, DimensionlessTime> arrival;  ///< "1.5": T
-  std::map<std::string, Value> scalars;  ///< impact_time_s, lost_particles, spacing_m, ...
+  std::map<std::string, std::vector<std::string>> read;  ///< SourceOptions::stated
+  std::map<std::string, std::string> identity;           ///< method, preset, how it was read
+  FrontOptions front;
+  /// The comparison's window, s, and why it ends there.
+  double from = 0.0;
+  double until = 0.0;
+  std::string because;
+  std::vector<BaselineCurve> curves;
+  std::map<std::string, Value> values;  ///< impact_time_s, lost_particles, spacing_m, ...
+
+  /// Observables as they are asked for, each once.
+  [[nodiscard]] std::vector<std::string> observables() const;
 };
 
+/// Throws surge::Error for what is unknown, missing or not finite, where nothing is there to be
+/// compared, and for a file that was changed by other means than write_baseline().
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& file);
 void write_baseline(const std::filesystem::path& file, const Baseline& baseline);
 
-enum class Status { passed, failed, skipped };
-[[nodiscard]] const char* status_text(Status status);
-
-/// One quantity of a baseline held against a run; for a list of values, its worst point.
-struct Finding {
-  std::string quantity;
-  Status status = Status::failed;
-  std::string worst;  ///< "T = 1.2", empty for a single value
-  std::string found;  ///< "missing" where the run has none
-  std::string expected;
-  double deviation = 0.0;  ///< not finite where the quantity is missing
-  double tolerance = 0.0;
-};
-
-/// Every quantity of the baseline. One that the run lacks or that is not finite has failed.
-[[nodiscard]] std::vector<Finding> check(const MeasuredRun& run, const Baseline& baseline);
-
-/// Tolerances of a new baseline.
-struct Tolerances {
-  DimensionlessLength front{0.02};
-  DimensionlessTime time{0.02};
-};
-
-/// A baseline from a run: its front at even steps of 0.1 in T up to `wall_distance` before the far
-/// wall, arrivals, impact and counts. Throws surge::Error for a run that did not finish or whose
-/// front does not get there.
-[[nodiscard]] Baseline bless(const MeasuredRun& run, const FrontOptions& options,
-                             const Tolerances& tolerances, const Provenance& measured);
+/// The options that the baseline's source was opened with, for another source. `place`: what errors
+/// begin with.
+[[nodiscard]] SourceOptions stored_options(const Baseline& baseline,
+                                           const std::filesystem::path& source,
+                                           const std::string& place);
+/// What a baseline keeps of them.
+[[nodiscard]] std::map<std::string, std::vector<std::string>> options_to_store(
+    const SourceOptions& options, const std::filesystem::path& source);
 
 /// Who blesses (git's user.name, else $USER), when, with what. `reason` must say something.
 [[nodiscard]] Provenance provenance_now(const std::string& reason);

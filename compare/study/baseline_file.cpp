@@ -1,19 +1,16 @@
-#include <pwd.h>
-#include <unistd.h>
+#include <zlib.h>
 
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <set>
 
 #include "compare/read/readers.hpp"
 #include "compare/study/baseline.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
 #include "particle/support/version.hpp"
+#include "particle/support/write_error.hpp"
 
 namespace surge::compare {
 namespace {
@@ -25,7 +22,7 @@ using nlohmann::json;
 class Table {
  public:
   Table(const json& value, std::string place) : value_(value), place_(std::move(place)) {
-    if (!value_.is_object()) fail("", value_.dump(), "a table");
+    if (!value_.is_object()) fail("", json_shown(value_), "a table");
   }
 
   [[nodiscard]] const json& at(const std::string& key) {
@@ -37,35 +34,48 @@ class Table {
   [[nodiscard]] double number(const std::string& key) {
     const json& value = at(key);
     if (!value.is_number() || !std::isfinite(value.get<double>()))
-      fail(key, value.dump(), "a finite number");
+      fail(key, json_shown(value), "a finite number");
     return value.get<double>();
   }
 
   [[nodiscard]] double tolerance(const std::string& key) {
     const double value = number(key);
-    if (value < 0.0) fail(key, at(key).dump(), "a tolerance of at least 0");
+    if (value < 0.0) fail(key, json_shown(at(key)), "a tolerance of at least 0");
     return value;
   }
 
   [[nodiscard]] std::string text(const std::string& key) {
     const json& value = at(key);
-    if (!value.is_string()) fail(key, value.dump(), "a text");
+    if (!value.is_string()) fail(key, json_shown(value), "a text");
     return value.get<std::string>();
   }
 
   [[nodiscard]] std::vector<double> numbers(const std::string& key) {
     const json& value = at(key);
     std::vector<double> list;
-    if (!value.is_array() || value.empty()) fail(key, value.dump(), "a list of numbers");
+    if (!value.is_array() || value.empty()) fail(key, json_shown(value), "a list of numbers");
     for (const json& entry : value) {
       if (!entry.is_number() || !std::isfinite(entry.get<double>()))
-        fail(key, entry.dump(), "finite numbers");
+        fail(key, json_shown(entry), "finite numbers");
       list.push_back(entry.get<double>());
     }
     return list;
   }
 
+  [[nodiscard]] std::vector<std::string> words(const std::string& key) {
+    const json& value = at(key);
+    std::vector<std::string> list;
+    if (!value.is_array()) fail(key, value.dump(), "a list of texts");
+    for (const json& entry : value) {
+      if (!entry.is_string()) fail(key, entry.dump(), "texts");
+      list.push_back(entry.get<std::string>());
+    }
+    return list;
+  }
+
   [[nodiscard]] Table table(const std::string& key) { return {at(key), place_ + " " + key + ":"}; }
+
+  [[nodiscard]] bool has(const std::string& key) const { return value_.contains(key); }
 
   [[nodiscard]] std::vector<std::string> keys() const {
     std::vector<std::string> names;
@@ -91,59 +101,76 @@ class Table {
   std::set<std::string> asked_;
 };
 
-DimensionlessFront read_front(Table& table) {
-  const std::vector<double> times = table.numbers("T");
-  const std::vector<double> positions = table.numbers("Z_over_L");
-  if (times.size() != positions.size()) {
-    table.fail("Z_over_L", std::to_string(positions.size()) + " values",
-               std::to_string(times.size()) + " as of T");
-  }
-  DimensionlessFront front;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (i > 0 && times[i] <= times[i - 1])
-      table.fail("T", std::to_string(times[i]), "increasing times");
-    front.samples.push_back({DimensionlessTime(times[i]), DimensionlessLength(positions[i])});
-  }
-  return front;
+constexpr int format = 2;  ///< 1 held the leading edge alone
+
+/// Of all that the file says but for itself.
+std::string checksum_of(json root) {
+  root.erase("checksum");
+  const std::string text = root.dump();
+  const auto sum =
+      crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
+  return std::to_string(sum);
 }
 
-void read_arrivals(Table table, Baseline& baseline) {
-  baseline.arrival_tolerance = DimensionlessTime(table.tolerance("tolerance_T"));
-  Table times = table.table("T");
-  for (const std::string& level : times.keys()) {
-    char* end = nullptr;
-    const double value = std::strtod(level.c_str(), &end);
-    if (end == level.c_str() || *end != '\0' || !std::isfinite(value))
-      times.fail(level, "this key", "a level of Z/L");
-    baseline.arrival[level] = DimensionlessTime(times.number(level));
-  }
+BaselineCurve read_curve(Table table) {
+  BaselineCurve curve;
+  curve.observable = table.text("observable");
+  curve.series = table.text("series");
+  curve.unit = table.text("unit");
+  curve.interval = table.number("interval");
+  if (table.has("profile_time_s")) curve.time = table.number("profile_time_s");
+  const std::string places = curve.time ? "x_m" : "time_s";
+  curve.at = table.numbers(places);
+  curve.values = table.numbers("value");
+  if (curve.at.size() != curve.values.size())
+    table.fail("value", std::to_string(curve.values.size()) + " values",
+               std::to_string(curve.at.size()) + " as of " + places);
+  for (std::size_t i = 1; i < curve.at.size(); ++i)
+    if (curve.at[i] <= curve.at[i - 1])
+      table.fail(places, number_text(curve.at[i]), "increasing places");
+  Table tolerance = table.table("tolerance");
+  curve.tolerance = {tolerance.tolerance("absolute"), tolerance.tolerance("relative"),
+                     tolerance.tolerance("time_s")};
+  tolerance.finish();
   table.finish();
+  return curve;
 }
 
-std::string first_line_of(const char* command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command, "r"), pclose);
-  std::array<char, 256> buffer{};
-  if (!pipe || !std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe.get())) return {};
-  const std::string line(buffer.data());
-  return line.substr(0, line.find('\n'));
+json to_json(const BaselineCurve& curve) {
+  json out{{"observable", curve.observable},
+           {"series", curve.series},
+           {"unit", curve.unit},
+           {"interval", curve.interval},
+           {curve.time ? "x_m" : "time_s", curve.at},
+           {"value", curve.values},
+           {"tolerance",
+            {{"absolute", curve.tolerance.absolute},
+             {"relative", curve.tolerance.relative},
+             {"time_s", curve.tolerance.time}}}};
+  if (curve.time) out["profile_time_s"] = *curve.time;
+  return out;
 }
 
-std::string user_name() {
-  std::string git = first_line_of("git config user.name 2>/dev/null");
-  if (!git.empty()) return git;
-  const char* user = std::getenv("USER");
-  if (user && *user) return user;
-  const passwd* entry = getpwuid(getuid());
-  if (entry) return entry->pw_name;
-  throw Error("--bless: nobody found (git config user.name or USER expected)");
-}
-
-std::string cpu_name() {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
+void read_head(Table& table, Baseline& baseline) {
+  Table measured = table.table("measured");
+  baseline.measured = {measured.text("by"),     measured.text("date"),     measured.text("version"),
+                       measured.text("commit"), measured.text("compiler"), measured.text("cpu"),
+                       measured.text("reason")};
+  measured.finish();
+  Table source = table.table("read");
+  for (const std::string& key : source.keys()) baseline.read[key] = source.words(key);
+  Table definition = table.table("definition");
+  baseline.front.strip_height = Metres(definition.number("strip_height_m"));
+  baseline.front.linking_length = definition.number("linking_length_spacings");
+  baseline.front.bed_share = definition.number("bed_share");
+  definition.finish();
+  Table identity = table.table("identity");
+  for (const std::string& key : identity.keys()) baseline.identity[key] = identity.text(key);
+  Table window = table.table("window");
+  baseline.from = window.number("from_s");
+  baseline.until = window.number("until_s");
+  baseline.because = window.text("because");
+  window.finish();
 }
 
 }  // namespace
@@ -151,50 +178,39 @@ std::string cpu_name() {
 Baseline read_baseline(const fs::path& file) {
   const json root = read_json(file);
   Table table(root, file.string() + ":");
+  if (!table.has("format") || table.number("format") != format)
+    table.fail("format", table.has("format") ? root["format"].dump() : "nothing",
+               std::to_string(format) + " (one of another version: remove it and --bless again)");
+  if (table.text("checksum") != checksum_of(root))
+    table.fail("checksum", root["checksum"].dump() + " of other contents",
+               "a file as --bless wrote it (--bless --reason is the way to change one)");
   Baseline baseline;
-  Table measured = table.table("measured");
-  baseline.measured = {measured.text("by"),     measured.text("date"),     measured.text("version"),
-                       measured.text("commit"), measured.text("compiler"), measured.text("cpu"),
-                       measured.text("reason")};
-  measured.finish();
-  Table definition = table.table("definition");
-  baseline.strip_height = Metres(definition.number("strip_height_m"));
-  baseline.linking_length = definition.number("linking_length_spacings");
-  definition.finish();
-  Table identity = table.table("identity");
-  for (const std::string& key : identity.keys()) baseline.identity[key] = identity.text(key);
-  Table front = table.table("front");
-  baseline.front_tolerance = DimensionlessLength(front.tolerance("tolerance_Z_over_L"));
-  baseline.front = read_front(front);
-  front.finish();
-  read_arrivals(table.table("arrival"), baseline);
-  Table scalars = table.table("scalars");
-  for (const std::string& key : scalars.keys()) {
-    Table scalar = scalars.table(key);
-    baseline.scalars[key] = {scalar.number("value"), scalar.tolerance("tolerance")};
-    scalar.finish();
+  read_head(table, baseline);
+  const json& curves = table.at("curves");
+  if (!curves.is_array() || curves.empty())
+    table.fail("curves", curves.dump(), "a list of curves, one at least");
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    baseline.curves.push_back(
+        read_curve(Table(curves[k], file.string() + ": curves[" + std::to_string(k) + "]:")));
+  Table values = table.table("values");
+  for (const std::string& key : values.keys()) {
+    Table value = values.table(key);
+    baseline.values[key] = {value.number("value"), value.tolerance("tolerance")};
+    value.finish();
   }
   table.finish();
   return baseline;
 }
 
 void write_baseline(const fs::path& file, const Baseline& baseline) {
-  json times = json::array();
-  json positions = json::array();
-  // Four digits are finer than any tolerance of use, and keep the file readable.
-  const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
-  for (const auto& sample : baseline.front.samples) {
-    times.push_back(rounded(sample.time.value()));
-    positions.push_back(rounded(sample.position.value()));
-  }
-  json arrivals = json::object();
-  for (const auto& [level, time] : baseline.arrival) arrivals[level] = rounded(time.value());
-  json scalars = json::object();
-  for (const auto& [name, value] : baseline.scalars) {
-    scalars[name] = {{"value", value.value}, {"tolerance", value.tolerance}};
-  }
+  json curves = json::array();
+  for (const BaselineCurve& curve : baseline.curves) curves.push_back(to_json(curve));
+  json values = json::object();
+  for (const auto& [name, value] : baseline.values)
+    values[name] = {{"value", value.value}, {"tolerance", value.tolerance}};
   const Provenance& m = baseline.measured;
-  const json root{
+  json root{
+      {"format", format},
       {"measured",
        {{"by", m.by},
         {"date", m.date},
@@ -203,34 +219,26 @@ void write_baseline(const fs::path& file, const Baseline& baseline) {
         {"compiler", m.compiler},
         {"cpu", m.cpu},
         {"reason", m.reason}}},
+      {"read", baseline.read},
       {"definition",
-       {{"strip_height_m", baseline.strip_height.value()},
-        {"linking_length_spacings", baseline.linking_length}}},
+       {{"strip_height_m", baseline.front.strip_height.value()},
+        {"linking_length_spacings", baseline.front.linking_length},
+        {"bed_share", baseline.front.bed_share}}},
       {"identity", baseline.identity},
-      {"front",
-       {{"tolerance_Z_over_L", baseline.front_tolerance.value()},
-        {"T", times},
-        {"Z_over_L", positions}}},
-      {"arrival", {{"tolerance_T", baseline.arrival_tolerance.value()}, {"T", arrivals}}},
-      {"scalars", scalars}};
+      {"window",
+       {{"from_s", baseline.from}, {"until_s", baseline.until}, {"because", baseline.because}}},
+      {"curves", curves},
+      {"values", values}};
+  // What is stored is what is read back, so that the sum is that of the file's numbers.
+  root["checksum"] = checksum_of(json::parse(root.dump()));
+  errno = 0;
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  std::ofstream out(file);
+  const fs::path part = file.string() + ".part";
+  std::ofstream out(part);
   out << root.dump(1) << '\n';
-  out.flush();
-  if (!out) throw Error(file.string() + ": cannot be written");
-}
-
-Provenance provenance_now(const std::string& reason) {
-  if (reason.find_first_not_of(" \t\n") == std::string::npos)
-    throw Error("--bless: no reason found, --reason \"...\" expected");
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> date{};
-  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  const BuildInfo build = build_info();
-  return {user_name(),    date.data(), build.version, build.commit,
-          build.compiler, cpu_name(),  reason};
+  out.close();
+  if (!out) throw write_error(part);
+  fs::rename(part, file);
 }
 
 }  // namespace surge::compare

@@ -133,7 +133,8 @@ std::optional<std::array<Level, 3>> systematic_levels(std::vector<Level> levels)
   std::size_t found = 0;
   for (const Level& level : levels) {
     if (found == chosen.size()) break;
-    if (found > 0 && level.h < smallest_ratio * chosen[found - 1].h) continue;
+    // Sizes are stated with some digits: 14.5 mm is 1.5 times 9.6666666666667 mm.
+    if (found > 0 && level.h < (1.0 - 1e-6) * smallest_ratio * chosen[found - 1].h) continue;
     chosen[found++] = level;
   }
   if (found < chosen.size()) return std::nullopt;

@@ -1,6 +1,8 @@
 #include "compare/study/cost_curves.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/univariate_statistics.hpp>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -59,8 +61,15 @@ struct Curve {
     return text;
   }
 
+  /// Times on different processors, or on more threads, make no curve.
+  [[nodiscard]] std::string machine() const {
+    return cpu + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+  }
+
   [[nodiscard]] std::string label() const {
-    std::string text = method == "mps" ? "MPS, " : "SPH, ";
+    std::string text = method;
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    text += ", ";
     text += search == "all_pairs" ? "all pairs" : "cell grid";
     if (solver.empty()) return text;
     return text + ", " + (solver == "iccg" ? "ICCG" : solver);
@@ -101,9 +110,9 @@ void add_run(const json& manifest, double whole_time, std::map<std::string, Curv
   of.preset = c["method"].value("preset", "");
   of.search = c.contains("search") ? c["search"].value("neighbours", "") : "";
   of.solver = c["method"].value(json::json_pointer("/parameters/ppe_solver"), "");
-  Curve& curve = curves.try_emplace(of.key(), of).first->second;
-  curve.cpu = manifest.value("cpu", "");
-  curve.threads = manifest.value("threads", 0);
+  of.cpu = manifest.value("cpu", "");
+  of.threads = manifest.value("threads", 0);
+  Curve& curve = curves.try_emplace(of.key() + '\n' + of.machine(), of).first->second;
   Size& size = curve.sizes[number(manifest, "fluid_particles")];
   size.spacing = number(c, "spacing");
   size.fluid = number(manifest, "fluid_particles");
@@ -117,10 +126,19 @@ json sample_json(const Sample& sample) {
   if (sample.empty()) return nullptr;
   const auto [least, most] = std::minmax_element(sample.solve_s.begin(), sample.solve_s.end());
   const double ms = 1e3 / sample.steps;
-  json out{{"repeats", sample.solve_s.size()},     {"steps", sample.steps},
-           {"simulated_s", sample.simulated},      {"solve_s", median_of(sample.solve_s)},
-           {"setup_s", median_of(sample.setup_s)}, {"output_s", median_of(sample.output_s)},
-           {"ms_per_step", sample.ms_per_step()},  {"ms_per_step_least", ms * *least},
+  const double spread = sample.solve_s.size() > 1
+                            ? std::sqrt(boost::math::statistics::sample_variance(sample.solve_s)) /
+                                  median_of(sample.solve_s)
+                            : 0.0;
+  json out{{"repeats", sample.solve_s.size()},
+           {"scatter", spread},
+           {"steps", sample.steps},
+           {"simulated_s", sample.simulated},
+           {"solve_s", median_of(sample.solve_s)},
+           {"setup_s", median_of(sample.setup_s)},
+           {"output_s", median_of(sample.output_s)},
+           {"ms_per_step", sample.ms_per_step()},
+           {"ms_per_step_least", ms * *least},
            {"ms_per_step_most", ms * *most}};
   for (const auto& [phase, values] : sample.share) out["share"][phase] = median_of(values);
   return out;
@@ -199,8 +217,13 @@ void measure_scaling(const StudyResult& study, json& metrics) {
       add_run(run->manifest, whole_time, curves, steps);
   }
   metrics["scaling"] = json::object();
-  for (const auto& [name, curve] : curves)
-    metrics["scaling"][name] = curve_json(curve, steps[curve.method + curve.preset]);
+  for (const auto& [whole, curve] : curves) {
+    const auto same = [&](const auto& other) { return other.second.key() == curve.key(); };
+    const bool alone = std::count_if(curves.begin(), curves.end(), same) == 1;
+    json out = curve_json(curve, steps[curve.method + curve.preset]);
+    if (!alone) out["label"] = curve.label() + ", " + curve.machine();
+    metrics["scaling"][alone ? curve.key() : curve.key() + ", " + curve.machine()] = out;
+  }
 }
 
 }  // namespace surge::compare

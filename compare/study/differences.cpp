@@ -63,6 +63,7 @@ json against_vof(const StudyResult& study, const Sequence& sequence, const Seque
     json row = difference_json((*s - *d).value(), numerical(metrics, sequence.group, at_name(t)),
                                numerical(metrics, vof.group, at_name(t)));
     row["T"] = t;
+    row["time_s"] = run.run.physics.scales().dimensional(DimensionlessTime(t)).value();
     row["S"] = s->value();
     row["D"] = d->value();
     out["rows"].push_back(std::move(row));
@@ -117,7 +118,11 @@ json against_experiment(const StudyResult& study, const PublishedSeries& series,
     const DimensionlessTime time(t);
     const auto s = front.at(time);
     if (!s) continue;
-    json row{{"T", t}, {"S", s->value()}, {"raw", nullptr}, {"shifted", nullptr}};
+    json row{{"T", t},
+             {"time_s", vof.finest().run.physics.scales().dimensional(time).value()},
+             {"S", s->value()},
+             {"raw", nullptr},
+             {"shifted", nullptr}};
     const auto u_num = numerical(metrics, vof.group, at_name(t));
     const auto add = [&](const char* name, DimensionlessTime shift) {
       const auto d = series.front.at(time - shift);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/measure/flow_pattern.hpp"
 #include "compare/measure/front.hpp"
 #include "compare/read/run.hpp"
 #include "compare/read/units.hpp"
@@ -75,12 +76,14 @@ using Impact = Moment<Seconds>;
 [[nodiscard]] std::optional<Impact> impact(const FrontHistory& history, Metres far_wall,
                                            Metres spacing);
 
-/// A run with its measured front: what metrics, figures and report start from.
+/// A run with all that was measured of it: what metrics, figures and report start from.
 struct MeasuredRun {
   Run run;
-  FrontHistory history;
+  FrontHistory history;  ///< empty where no front was asked for
   DimensionlessFront front;
   std::vector<FrontVariant> variants{};  ///< by other choices, where they were asked for
+  PatternHistory pattern{};              ///< of runs of role comparison
+  std::vector<Findings> observed{};      ///< one per observable of the study
 };
 [[nodiscard]] MeasuredRun measure(Run run, const FrontOptions& options, bool with_variants = false);
 
@@ -88,6 +91,7 @@ struct MetricsOptions {
   FrontOptions front;
   DimensionlessLength wall_distance{0.1};
   std::set<std::string> allowed_differences;  ///< keys of compare_physics
+  bool with_front = true;                     ///< false: the flow has none, or nobody asks for it
 };
 
 /// {"front": {<run>: {...}}, "timing": {<run>: {...}}, "published": {...}, "definition": {...}}.

@@ -42,7 +42,7 @@ void add_impact(json& out, const std::optional<Impact>& hit, const Scales& scale
 }
 
 /// What one run's files say and its own front, without any comparison.
-json describe(const MeasuredRun& measured, std::size_t frames) {
+json describe(const MeasuredRun& measured, std::size_t frames, bool with_front) {
   const Run& run = measured.run;
   json out{{"method", run.method}, {"preset", run.preset}, {"spacing_m", run.spacing.value()}};
   if (run.cells_per_width) {
@@ -51,14 +51,15 @@ json describe(const MeasuredRun& measured, std::size_t frames) {
     out["cells_per_L"] = *run.cells_per_width;
   }
   out["frames"] = frames;
-  // Frames after the leading edge was lost, in a run that broke up, are not measured.
-  out["frames_measured"] = measured.history.size();
   out["finished"] = run.manifest.is_object() && run.manifest.contains("finished")
                         ? run.manifest["finished"]
                         : json();
   for (const char* count : {"lost_particles", "nonfinite"}) {
     if (run.manifest.is_object() && run.manifest.contains(count)) out[count] = run.manifest[count];
   }
+  if (!with_front) return out;
+  // Frames after the leading edge was lost, in a run that broke up, are not measured.
+  out["frames_measured"] = measured.history.size();
   add_arrivals(out, measured.front);
   const auto far = run.physics.far_wall();
   add_impact(out, far ? impact(measured.history, *far, run.spacing) : std::nullopt,
@@ -98,6 +99,17 @@ void add_difference(json& out, const FrontDifference& d, const std::string& agai
   }
   out["arrival_T_difference"] = arrivals;
   out["arrival_u_T_difference"] = uncertainties;
+}
+
+void add_against(json& out, const MeasuredRun& measured, const MeasuredRun& reference,
+                 const MetricsOptions& options) {
+  try {
+    const WallRule wall = wall_rule(reference.run, options.wall_distance);
+    add_difference(out, difference(measured.front, reference.front, wall),
+                   reference.run.method == "vof" ? "vof" : "reference");
+  } catch (const Error& error) {
+    throw Error(measured.run.name + " against " + reference.run.name + ": " + error.what());
+  }
 }
 
 json statistics_json(const SeriesDifference& d) {
@@ -140,6 +152,7 @@ json timing_json(const Run& run) {
   copy("steps", "steps");
   copy("threads", "threads");
   copy("cpu", "cpu");
+  copy("cpu_s", "cpu_s");
   copy("simulated_s", "simulated_s");
   copy("cells", "cells");
   copy("fluid_particles", "particles");
@@ -188,7 +201,6 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
                                      {"uncertainty_T", series.time_uncertainty.value()},
                                      {"uncertainty_Z_over_L", series.position_uncertainty.value()}};
   }
-  const std::string against = found->run.method == "vof" ? "vof" : "reference";
   for (const MeasuredRun& measured : runs) {
     const std::string& name = measured.run.name;
     if (out["front"].contains(name))
@@ -196,18 +208,13 @@ json metrics(const std::vector<MeasuredRun>& runs, const std::string& reference,
     const PhysicsComparison physics =
         compare_physics(measured.run.physics, name, found->run.physics, reference);
     require_same_physics(physics, options.allowed_differences);
-    json front = describe(measured, measured.run.frames->times().size());
+    json front = describe(measured, measured.run.frames->times().size(), options.with_front);
     front["physics_not_stated"] = physics.not_stated;
-    add_variants(front, measured, options);
-    try {
-      add_difference(
-          front,
-          difference(measured.front, found->front, wall_rule(found->run, options.wall_distance)),
-          against);
-    } catch (const Error& error) {
-      throw Error(name + " against " + reference + ": " + error.what());
+    if (options.with_front) {
+      add_variants(front, measured, options);
+      add_against(front, measured, *found, options);
+      front["published"] = published_json(measured, published, options);
     }
-    front["published"] = published_json(measured, published, options);
     out["front"][name] = front;
     out["timing"][name] = timing_json(measured.run);
   }

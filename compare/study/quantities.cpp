@@ -5,14 +5,14 @@
 namespace surge::compare {
 namespace {
 
-std::optional<double> any_scalar(const MeasuredRun& measured, const std::string& name) {
-  const Run& run = measured.run;
+std::optional<double> any_scalar(const Run& run, const FrontHistory& front,
+                                 const std::string& name) {
   if (name == "spacing_m") return run.spacing.value();
   if (name == "column_width_m") return run.physics.column_width().value();
   if (name == "gravity") return run.physics.gravity_magnitude();
   if (name == "impact_time_s") {
     const auto far = run.physics.far_wall();
-    const auto hit = far ? impact(measured.history, *far, run.spacing) : std::nullopt;
+    const auto hit = far ? impact(front, *far, run.spacing) : std::nullopt;
     return hit ? std::optional(hit->time.value()) : std::nullopt;
   }
   if (!run.manifest.is_object() || !run.manifest.contains(name)) return std::nullopt;
@@ -24,9 +24,13 @@ std::optional<double> any_scalar(const MeasuredRun& measured, const std::string&
 
 }  // namespace
 
-std::optional<double> scalar(const MeasuredRun& run, const std::string& name) {
-  const std::optional<double> value = any_scalar(run, name);
+std::optional<double> scalar(const Run& run, const FrontHistory& front, const std::string& name) {
+  const std::optional<double> value = any_scalar(run, front, name);
   return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::optional<double> scalar(const MeasuredRun& run, const std::string& name) {
+  return scalar(run.run, run.history, name);
 }
 
 std::string level_text(double level) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "compare/read/physics_keys.hpp"
 #include "compare/study/sweep.hpp"
 
 namespace surge::compare {
@@ -109,6 +110,8 @@ void read_files(const TomlTable& table, const Combination& values, StudyRun& run
   run.timed = false;
   if (table.has("map"))
     run.map = place_of(table.folder(), values.filled(table, "map", table.text("map")));
+  // Of files nothing is to be computed: what is known of them beforehand is what they cost.
+  if (table.has("cpu_s")) run.resolved["cpu_s"] = table.number("cpu_s", surge::Bounds::above(0.0));
   const auto options = table.optional_table("read");
   if (!options) return;
   for (const std::string& key : options->keys()) {
@@ -117,6 +120,19 @@ void read_files(const TomlTable& table, const Combination& values, StudyRun& run
         !key.starts_with("-");
     if (!name) throw options->error(key, "\"" + key + "\"", "an option without its dashes");
     run.read.emplace_back(key, options->scalar(key));
+  }
+}
+
+/// Differences between levels are taken for errors of discretization; where they are of the case
+/// too, the uncertainty holds both. Anywhere else another case is no result of this one.
+void read_allowed(const TomlTable& table, StudyRun& run) {
+  if (!table.has("allow")) return;
+  if (run.role != Role::convergence)
+    throw table.error("allow", "role " + std::string(role_text(run.role)), "role convergence");
+  for (const std::string& key : table.texts("allow")) {
+    if (!is_physics_key(key))
+      throw table.error("allow", '"' + key + '"', "names out of " + physics_keys());
+    run.allowed_differences.insert(key);
   }
 }
 
@@ -133,6 +149,7 @@ StudyRun read_run(const RunTable& table, const Combination& values) {
   }
   if (const TomlTable& its = table.with("role"); its.has("role"))
     run.role = static_cast<Role>(its.choice("role", roles));
+  read_allowed(own, run);
   const TomlTable& groups = table.with("group");
   run.group = values.filled(groups, "group", groups.text_or("group", ""));
   if (run.group.empty() && run.role != Role::comparison && run.role != Role::timing) {

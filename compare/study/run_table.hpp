@@ -19,6 +19,10 @@ namespace surge::compare {
 ///     set       list of "key=value"; with interFoam and a case file, those that begin with foam.
 ///               are settings of the OpenFOAM case
 ///     threads, repeats, timed, may_break, sweep
+///     allow     of role convergence: what may differ from the case of the reference, where the
+///     lattice
+///               of a level does not hold its sizes; keys as `surge-compare metrics --allow` has
+///               them
 ///   files, what some other program has left:
 ///     source    folder, file or pattern, as for `surge-compare front`
 ///     map       file that says what the arrays are, where one is needed

@@ -59,12 +59,19 @@ struct Followed {
   std::vector<std::optional<double>> values;  ///< by level
 };
 
+/// Of the paper's flow the dimensionless time that it uses; of any other the time.
+std::string moment_text(const StudyResult& study, double t) {
+  if (study.judges_paper()) return "T = " + fixed_text(t, 2);
+  const Scales scales = study.reference_run().run.physics.scales();
+  return "t = " + fixed_text(scales.dimensional(DimensionlessTime(t)).value(), 3) + " s";
+}
+
 std::vector<Followed> followed(const StudyResult& study, const Sequence& sequence,
                                const RunResult* finest) {
   std::vector<Followed> all;
   all.reserve(std::size(convergence_times) + 2);
   for (const double t : convergence_times)
-    all.push_back({"Z_over_L_at_T_" + fixed_text(t, 2), "Z/L at T = " + fixed_text(t, 2), {}});
+    all.push_back({"Z_over_L_at_T_" + fixed_text(t, 2), "Z/L at " + moment_text(study, t), {}});
   all.push_back({"impact_time_s", "Impact, s", {}});
   // The finest run of a sequence has no difference to itself, and so the sequence no such values.
   const bool itself = finest == nullptr || finest == sequence.levels.front().run;
@@ -253,12 +260,10 @@ void measure_sequences(const StudyResult& study, const std::vector<Sequence>& se
 void measure_convergence(const StudyResult& study, json& metrics) {
   metrics["convergence"] = json::object();
   metrics["uncertainty"] = json::object();
-  metrics["pareto"] = json::object();
   const std::vector<Sequence> sequences = sequences_of(study);
   if (sequences.empty()) return;
   measure_sequences(study, sequences, metrics);
   measure_differences(study, sequences, metrics);
-  measure_cost_and_error(study, sequences, metrics);
 }
 
 }  // namespace surge::compare

@@ -64,12 +64,7 @@ void measure_sequences(const StudyResult& study, const std::vector<Sequence>& se
 /// stated.
 void measure_differences(const StudyResult& study, const std::vector<Sequence>& sequences,
                          nlohmann::json& metrics);
-/// pareto: solving time and RMS of the leading edge against the finest VOF run, of all levels over
-/// the spacing; which of them no other beats in both. Reads `uncertainty`.
-void measure_cost_and_error(const StudyResult& study, const std::vector<Sequence>& sequences,
-                            nlohmann::json& metrics);
-
-/// All three; empty where no sequence has a complete run.
+/// Both; empty where no sequence has a complete run.
 void measure_convergence(const StudyResult& study, nlohmann::json& metrics);
 
 }  // namespace surge::compare

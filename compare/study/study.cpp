@@ -1,10 +1,10 @@
 #include "compare/study/study.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <set>
 
+#include "compare/measure/front.hpp"
 #include "compare/study/run_table.hpp"
 #include "particle/support/toml.hpp"
 
@@ -14,8 +14,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Papers whose statements can be judged.
-constexpr std::array<std::string_view, 1> papers{"alves_dreux"};
+/// The folder NAME beside the study, or in compare/studies of the working folder.
+fs::path claims_folder(const TomlTable& root, const std::string& name) {
+  for (const fs::path& parent : {root.folder(), fs::path("compare/studies")})
+    if (fs::is_regular_file(parent / name / "claims.toml")) return parent / name;
+  throw root.error("claims", "\"" + name + "\"",
+                   "the name of a folder beside this file that has a claims.toml");
+}
 
 /// A study that is being put together from its files.
 class Collector {
@@ -36,6 +41,7 @@ class Collector {
     }
     const std::optional<TomlTable> defaults = root.optional_table("defaults");
     if (defaults) check_defaults(*defaults);
+    if (study_.observables.empty()) study_.observables = read_observables(root);
     for (const TomlTable& table : root.tables("run"))
       for (const StudyRun& run : read_runs(table, defaults)) add(run, table);
     root.finish();
@@ -51,10 +57,10 @@ class Collector {
                     [](const StudyRun& run) { return run.role == Role::verification; }))
       return std::move(study_);
     require(root, "reference", reference_.has_value());
-    require(root, "strip_height", strip_height_.has_value());
+    if (asks_for_front(study_)) require(root, "strip_height", strip_height_.has_value());
     require(root, "snapshot_times", snapshot_times_.has_value());
     study_.reference = *reference_;
-    study_.strip_height = *strip_height_;
+    study_.strip_height = strip_height_.value_or(FrontOptions{}.strip_height);
     study_.snapshot_times = *snapshot_times_;
     if (published_) study_.published = *published_;
     if (claims_) study_.claims = *claims_;
@@ -89,7 +95,10 @@ class Collector {
       if (!published_) study_.published_place = root.place("published");
       keep(published_, root.texts("published"));
     }
-    if (root.has("claims")) keep(claims_, std::string(papers[root.choice("claims", papers)]));
+    if (root.has("claims") && !claims_) {
+      claims_ = root.text("claims");
+      study_.statements = read_statements(claims_folder(root, *claims_));
+    }
   }
 
   static std::vector<Seconds> increasing_times(const TomlTable& root) {
@@ -149,8 +158,26 @@ fs::path series_file(const Study& study, const std::string& name, const fs::path
   }
   for (const fs::path& place : places)
     if (fs::is_regular_file(place)) return place.lexically_normal();
-  throw Error(study.published_place + ": found \"" + name + "\", expected the name of a series: " +
+  std::string asker = study.published_place;
+  for (const StudyObservable& observable : study.observables)
+    if (std::count(observable.references.begin(), observable.references.end(), name) > 0)
+      asker = observable.place + ".references";
+  throw Error(asker + ": found \"" + name + "\", expected the name of a series: " +
               places.back().parent_path().string() + "/NAME.csv, or NAME.csv beside the study");
+}
+
+std::vector<std::string> named_series(const Study& study) {
+  std::vector<std::string> names = study.published;
+  for (const StudyObservable& observable : study.observables)
+    for (const std::string& name : observable.references)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+bool asks_for_front(const Study& study) {
+  return study.observables.empty() ||
+         std::any_of(study.observables.begin(), study.observables.end(),
+                     [](const StudyObservable& one) { return one.kind == "front"; });
 }
 
 Study read_study(const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,8 @@
 
 #include "compare/read/run.hpp"
 #include "compare/read/units.hpp"
+#include "compare/study/observables.hpp"
+#include "compare/study/statements.hpp"
 
 namespace surge::compare {
 
@@ -33,12 +36,17 @@ struct StudyRun {
   bool timed = true;       ///< alone on the machine
   bool may_break = false;  ///< an end before its time is a result, as of equations that break up
   Role role = Role::comparison;
+  /// Keys of compare_physics in which it may differ from the reference: a coarser level whose
+  /// lattice holds the sizes of the case no better.
+  std::set<std::string> allowed_differences;
   std::string group;                         ///< never empty in the roles that explain it above
   std::optional<std::filesystem::path> map;  ///< files: says what their arrays are
   std::vector<std::pair<std::string, std::string>> read;  ///< files: options, as on a command line
-  std::string place;        ///< file:line of its table, for errors about it
-  SourceOptions source;     ///< what `read` says, once an interface has understood it
-  nlohmann::json resolved;  ///< what it is to compute, see check_study(); null before
+  std::string place;     ///< file:line of its table, for errors about it
+  SourceOptions source;  ///< what `read` says, once an interface has understood it
+  /// What it is to compute, see check_study(); null before. Of files "cpu_s", where the study says
+  /// it.
+  nlohmann::json resolved;
 
   [[nodiscard]] bool is_files() const { return program == "files"; }
   /// Whether a case file says what is computed, and not the folder of an OpenFOAM case.
@@ -59,9 +67,12 @@ struct Study {
   Metres strip_height;
   std::vector<Seconds> snapshot_times;
   std::vector<std::string> published;  ///< names, see series_file()
-  /// Whose statements the runs are held against, the name of a folder beside the study; empty:
-  /// nobody's.
+  /// Those of the first file that has some; empty: those of the case, see study_observables().
+  std::vector<StudyObservable> observables;
+  /// Whose statements the runs are held against, the name of a folder beside the study or in
+  /// compare/studies of the working folder; empty: nobody's.
   std::string claims;
+  Statements statements;  ///< those of that folder
   /// Those of the included files, then the file's own. A run stands here once in each role and
   /// group that it has.
   std::vector<StudyRun> runs;
@@ -76,6 +87,11 @@ struct Study {
 /// where there is none.
 [[nodiscard]] std::filesystem::path series_file(const Study& study, const std::string& name,
                                                 const std::filesystem::path& folder = {});
+
+/// All series that a study names, published ones first, each once.
+[[nodiscard]] std::vector<std::string> named_series(const Study& study);
+/// Whether the study asks for the leading edge by itself: names it, or names no observable.
+[[nodiscard]] bool asks_for_front(const Study& study);
 
 /// `named` relative to `folder` if it exists there, else as it is, relative to the working folder.
 [[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& folder,

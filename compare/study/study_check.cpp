@@ -1,9 +1,14 @@
 #include "compare/study/study_check.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <map>
+#include <thread>
 
+#include "compare/measure/registry.hpp"
 #include "compare/read/readers.hpp"
+#include "compare/reference/reference_series.hpp"
 #include "compare/reference/series.hpp"
 #include "compare/study/identity.hpp"
 #include "compare/study/run_fault.hpp"
@@ -132,14 +137,79 @@ std::string computation_of(const StudyRun& run) {
   return key;
 }
 
-/// The physics of a run, where it is known before the run.
-std::optional<Physics> physics_of(const StudyRun& run) {
+/// What each of the runs computes. A program is started for each, side by side: a sweep may have
+/// thousands. The error, where there is one, is that of the first run that has one.
+std::vector<json> resolve_all(const std::vector<const StudyRun*>& runs, const fs::path& programs) {
+  std::vector<json> answers(runs.size());
+  std::vector<std::exception_ptr> errors(runs.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  const auto work = [&] {
+    while (!failed) {
+      const std::size_t i = next++;
+      if (i >= runs.size()) return;
+      try {
+        answers[i] = resolve(*runs[i], programs);
+      } catch (...) {
+        errors[i] = std::current_exception();
+        failed = true;  // every run before this one has been taken up, and is finished
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    const std::size_t count =
+        std::min<std::size_t>(runs.size(), std::max(1U, std::thread::hardware_concurrency()));
+    for (std::size_t i = 1; i < count; ++i) workers.emplace_back(work);
+    work();
+  }
+  for (const std::exception_ptr& error : errors)
+    if (error) std::rethrow_exception(error);
+  return answers;
+}
+
+/// A run as its case describes it, where that is known before the run.
+std::optional<Run> described_by_case(const StudyRun& run) {
   if (!run.resolved.is_object() || !run.resolved.contains("case")) return std::nullopt;
   Run described;
+  described.name = run.name;
+  described.path = run.name;
+  described.kind = run.program == "interFoam" ? SourceKind::openfoam : SourceKind::particle_run;
   json stated = run.resolved.at("case");
   if (!stated.contains("method")) stated["method"] = {{"name", "vof"}, {"preset", ""}};
   apply_case(described, stated, run.place + ": " + run.name);
-  return described.physics;
+  described.manifest = {{"case", stated}};
+  return described;
+}
+
+std::optional<Physics> physics_of(const StudyRun& run) {
+  const auto described = described_by_case(run);
+  return described ? std::optional(described->physics) : std::nullopt;
+}
+
+/// That every run whose case is known could be asked for each observable.
+void check_observables(const Study& study) {
+  if (study.observables.empty()) return;
+  std::optional<Run> reference;
+  for (const StudyRun& run : study.runs)
+    if (run.name == study.reference && run.role == Role::comparison)
+      reference = described_by_case(run);
+  for (const StudyRun& run : study.runs) {
+    if (run.role != Role::comparison) continue;
+    const auto described = described_by_case(run);
+    if (!described) continue;
+    FrontOptions front;
+    front.strip_height = study.strip_height;
+    for (const StudyObservable& asked : study.observables) {
+      if (asked.kind == "overlap" && !reference) continue;
+      try {
+        check_observable(asked.name, asked.kind, asked.parameters,
+                         {*described, front, reference ? &*reference : nullptr});
+      } catch (const Error& error) {
+        throw Error(asked.place + ": " + error.what());
+      }
+    }
+  }
 }
 
 void check_physics(const Study& study) {
@@ -155,7 +225,7 @@ void check_physics(const Study& study) {
     const auto ours = physics_of(run);
     if (!ours) continue;
     try {
-      std::set<std::string> allowed;
+      std::set<std::string> allowed = run.allowed_differences;
       if (run.role == Role::sensitivity) allowed.insert("wall");
       require_same_physics(compare_physics(*ours, run.name, *theirs, reference->name), allowed);
     } catch (const Error& error) {
@@ -172,6 +242,19 @@ std::optional<double> end_of(const StudyRun& run) {
       return run.resolved.at(pointer).get<double>();
   }
   return std::nullopt;
+}
+
+/// That the series can be read and are of the kind and component that they are to be held against.
+void check_references(const Study& study, const fs::path& folder) {
+  for (const StudyObservable& observable : study.observables) {
+    for (const std::string& name : observable.references) {
+      const ReferenceSeries series =
+          read_reference(series_file(study, name, folder), observable_names());
+      if (series.observable != observable.kind)
+        throw Error(observable.place + ".references: found " + name + ", a series of kind " +
+                    series.observable + ", expected one of kind " + observable.kind);
+    }
+  }
 }
 
 void check_snapshots(const Study& study) {
@@ -196,15 +279,18 @@ void check_study(Study& study, const fs::path& programs, const std::string& only
                  const fs::path& series_folder) {
   for (const std::string& name : study.published)
     static_cast<void>(read_series(series_file(study, name, series_folder)));
-  std::map<std::string, json> known;
-  for (StudyRun& run : study.runs) {
-    if (!only.empty() && run.name != only) continue;
-    const std::string key = computation_of(run);
-    auto found = known.find(key);
-    if (found == known.end()) found = known.emplace(key, resolve(run, programs)).first;
-    run.resolved = found->second;
-  }
+  check_references(study, series_folder);
+  std::map<std::string, std::size_t> known;
+  std::vector<const StudyRun*> different;
+  for (const StudyRun& run : study.runs)
+    if ((only.empty() || run.name == only) &&
+        known.emplace(computation_of(run), different.size()).second)
+      different.push_back(&run);
+  const std::vector<json> answers = resolve_all(different, programs);
+  for (StudyRun& run : study.runs)
+    if (only.empty() || run.name == only) run.resolved = answers[known.at(computation_of(run))];
   check_physics(study);
+  check_observables(study);
   check_snapshots(study);
 }
 

@@ -37,7 +37,11 @@ json to_json(const Study& study, const std::string& only) {
            {"runs", json::array()}};
   for (const auto& file : study.files) out["files"].push_back(file.string());
   for (const Seconds time : study.snapshot_times) out["snapshot_times"].push_back(time.value());
-  for (const std::string& name : study.published)
+  for (const StudyObservable& observable : study.observables)
+    out["observables"].push_back({{"name", observable.name},
+                                  {"request", observable.request()},
+                                  {"references", observable.references}});
+  for (const std::string& name : named_series(study))
     out["published"].push_back({{"name", name}, {"file", series_file(study, name).string()}});
   for (const StudyRun& run : study.runs) {
     if (!only.empty() && run.name != only) continue;

@@ -5,8 +5,10 @@
 #include <optional>
 #include <set>
 
+#include "compare/measure/registry.hpp"
 #include "compare/read/recorded.hpp"
 #include "compare/study/identity.hpp"
+#include "compare/study/measure_run.hpp"
 #include "compare/study/run_fault.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/table.hpp"
@@ -31,7 +33,10 @@ std::string short_number(double value) {
 }
 
 std::string note_of(const MeasuredRun& measured, bool finished) {
-  const std::string last = short_number(measured.history.back().time.value()) + " s";
+  const bool front = !measured.history.empty();
+  const Seconds end = front ? measured.history.back().time : measured.run.frames->times().back();
+  const std::string last = short_number(end.value()) + " s";
+  if (!front) return finished ? "" : "ends at " + last;
   if (measured.history.size() < measured.run.frames->times().size()) {
     return "no leading edge after " + last;
   }
@@ -45,13 +50,14 @@ bool is_finished(const Run& run) {
 /// Throws Error where the two runs computed different cases or share no time. The wall condition is
 /// one of the choices whose effect a study of sensitivity shows.
 void require_comparable(const MeasuredRun& run, const MeasuredRun& reference, const WallRule& wall,
-                        Role role) {
-  std::set<std::string> allowed;
-  if (role == Role::sensitivity) allowed.insert("wall");
+                        const StudyRun& asked) {
+  std::set<std::string> allowed = asked.allowed_differences;
+  if (asked.role == Role::sensitivity) allowed.insert("wall");
   require_same_physics(
       compare_physics(run.run.physics, run.run.name, reference.run.physics, reference.run.name),
       allowed);
-  static_cast<void>(common_window(run.front, reference.front, wall));
+  if (!reference.history.empty())
+    static_cast<void>(common_window(run.front, reference.front, wall));
 }
 
 WallRule wall_of(const Physics& physics) {
@@ -60,18 +66,18 @@ WallRule wall_of(const Physics& physics) {
   return rule;
 }
 
-MeasuredRun measure_folder(const StudyRun& run, const fs::path& folder,
-                           const FrontOptions& options) {
+Run open_folder(const StudyRun& run, const fs::path& folder) {
   return guarded(run.name, folder, [&] {
     Run source = open_run(folder, run.source);
     source.name = run.name;
     guard_frames(source, run.name);
-    return measure(std::move(source), options);
+    return source;
   });
 }
 
-MeasuredRun measure_reference(const Study& study, const fs::path& runs, const Faults& known,
-                              const FrontOptions& options) {
+/// Which front it has, and which observables, follows from its case: both go to the result.
+MeasuredRun measure_reference(StudyResult& result, const fs::path& runs, const Faults& known) {
+  const Study& study = result.study;
   const std::string what = "reference run " + study.reference + ": ";
   const auto is_reference = [&](const StudyRun& run) {
     return run.name == study.reference && run.role == Role::comparison;
@@ -89,21 +95,30 @@ MeasuredRun measure_reference(const Study& study, const fs::path& runs, const Fa
       });
       if (other) throw Error(folder.string() + ": " + *other);
     }
-    return measure_folder(run, folder, options);
+    return guarded(run.name, folder, [&] {
+      Run source = open_folder(run, folder);
+      result.has_front =
+          asks_for_front(study) && (!study.observables.empty() || source.physics.has_surge());
+      result.observables = study_observables(study, source);
+      RunResult asked;
+      asked.study = run;
+      return measure_for_study(std::move(source), result.request(asked, nullptr));
+    });
   } catch (const Error& error) {
     throw Error(what + error.what());
   }
 }
 
 /// Sets the run's status; gives the measured run where it may stand beside the reference.
-std::optional<MeasuredRun> measure_run(RunResult& result, const MeasuredRun& reference,
-                                       const FrontOptions& options) {
+std::optional<MeasuredRun> measure_run(RunResult& result, const StudyResult& study) {
+  const MeasuredRun& reference = study.measured_runs.front();
   const bool missing = result.status == RunStatus::missing && !result.study.is_files();
   if (missing || !result.readable) return std::nullopt;
   try {
     return guarded(result.study.name, result.folder, [&] {
-      MeasuredRun measured = measure_folder(result.study, result.folder, options);
-      require_comparable(measured, reference, wall_of(reference.run.physics), result.study.role);
+      MeasuredRun measured = measure_for_study(open_folder(result.study, result.folder),
+                                               study.request(result, &reference.run));
+      require_comparable(measured, reference, wall_of(reference.run.physics), result.study);
       return measured;
     });
   } catch (const Error& error) {
@@ -196,7 +211,8 @@ std::string RunResult::label() const {
 }
 
 std::optional<Seconds> RunResult::last_time() const {
-  if (!measured || measured->history.empty()) return std::nullopt;
+  if (!measured) return std::nullopt;
+  if (measured->history.empty()) return measured->run.frames->times().back();
   return measured->history.back().time;
 }
 
@@ -232,10 +248,22 @@ std::optional<Seconds> StudyResult::impact_time() const {
   return hit ? std::optional(hit->time) : std::nullopt;
 }
 
-const PatternHistory& StudyResult::pattern(const RunResult& run) const {
-  const auto known = patterns_.find(run.study.name);
-  if (known != patterns_.end()) return known->second;
-  return patterns_[run.study.name] = measure_pattern(run.measured->run, reference_run().run);
+MeasureRequest StudyResult::request(const RunResult& run, const Run* reference_of_pattern) const {
+  const nlohmann::json::json_pointer distance("/case/method/parameters/collision_distance");
+  const bool collides = !run.manifest.contains(distance) || run.manifest.at(distance) != 0.0;
+  const Role role = run.study.role;
+  const bool pattern =
+      role == Role::comparison || (judges_paper() && (role == Role::convergence || !collides));
+  return {has_front ? std::optional(front_options()) : std::nullopt, pattern, reference_of_pattern,
+          &observables};
+}
+
+const ReferenceSeries& StudyResult::series(const std::string& name) const {
+  const auto found = std::find_if(references.begin(), references.end(),
+                                  [&](const ReferenceSeries& one) { return one.name == name; });
+  if (found == references.end())
+    throw Error("reference: found no series " + name + ", expected one that the study names");
+  return *found;
 }
 
 namespace {
@@ -255,16 +283,32 @@ void measure_known_flow(StudyResult& study, RunResult& entry) {
 
 }  // namespace
 
+namespace {
+
+void read_references(StudyResult& result, const fs::path& folder) {
+  for (const StudyObservable& observable : result.study.observables) {
+    for (const std::string& name : observable.references) {
+      const bool known = std::any_of(result.references.begin(), result.references.end(),
+                                     [&](const auto& one) { return one.name == name; });
+      if (!known)
+        result.references.push_back(
+            read_reference(series_file(result.study, name, folder), observable_names()));
+    }
+  }
+}
+
+}  // namespace
+
 StudyResult collect(const Study& study, const fs::path& runs, const fs::path& series_folder,
                     const Faults& known) {
   StudyResult result;
   result.study = study;
-  const FrontOptions options = result.front_options();
   // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
   result.measured_others.reserve(study.runs.size());
   if (result.has_reference())
-    result.measured_runs.push_back(measure_reference(study, runs, known, options));
+    result.measured_runs.push_back(measure_reference(result, runs, known));
+  read_references(result, series_folder);
   for (const auto& name : study.published) {
     PublishedSeries series = read_series(series_file(study, name, series_folder));
     const bool same = result.measured_runs.empty() ||
@@ -276,12 +320,11 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
     const bool story = run.role == Role::comparison;
     auto& fronts = story ? result.measured_runs : result.measured_others;
     if (has_front(run.role)) {
-      const MeasuredRun& reference = result.measured_runs.front();
       if (story && run.name == study.reference) {
-        take_front(entry, reference);
+        take_front(entry, result.measured_runs.front());
       } else if (const RunResult* same = twin(result, entry); same && same->measured && !story) {
         take_front(entry, *same->measured);
-      } else if (auto measured = measure_run(entry, reference, options)) {
+      } else if (auto measured = measure_run(entry, result)) {
         take_front(entry, fronts.emplace_back(std::move(*measured)));
       }
     }

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "compare/measure/flow_pattern.hpp"
+#include "compare/reference/reference_series.hpp"
 #include "compare/reference/series.hpp"
+#include "compare/study/measure_run.hpp"
 #include "compare/study/metrics.hpp"
 #include "compare/study/study.hpp"
 #include "compare/verification/flows.hpp"
@@ -47,6 +49,9 @@ struct StudyResult {
   std::vector<PublishedSeries> published;  ///< of the reference's case
   /// Of another case: compared with nothing, shown nowhere; the metrics say why.
   std::vector<PublishedSeries> published_elsewhere;
+  std::vector<StudyObservable> observables;  ///< those of the study, or of its reference's case
+  std::vector<ReferenceSeries> references;   ///< of all observables
+  bool has_front = true;                     ///< whether the leading edge is measured
   std::vector<RunResult> others;             ///< those of all other roles
   std::vector<MeasuredRun> measured_others;  ///< of the roles sensitivity and convergence
   /// Complete runs of role verification, by group and name.
@@ -67,11 +72,16 @@ struct StudyResult {
   [[nodiscard]] WallRule wall() const;
   /// When the reference's front is at the far wall; empty where it never is.
   [[nodiscard]] std::optional<Seconds> impact_time() const;
-  /// Flow pattern of a measured run; its frames are read at the first call and not again.
-  [[nodiscard]] const PatternHistory& pattern(const RunResult& run) const;
-
- private:
-  mutable std::map<std::string, PatternHistory> patterns_;
+  /// What is measured of a run. Its flow pattern is, where it is compared, and where a
+  /// publication's statements need it: of levels for their uncertainty, of particles that do not
+  /// collide.
+  [[nodiscard]] MeasureRequest request(const RunResult& run, const Run* reference_of_pattern) const;
+  /// Flow pattern of a measured run.
+  [[nodiscard]] const PatternHistory& pattern(const RunResult& run) const {
+    return run.measured->pattern;
+  }
+  /// The series of that name; throws surge::Error where there is none.
+  [[nodiscard]] const ReferenceSeries& series(const std::string& name) const;
 };
 
 /// Runs that were found to be unusable, by name, and why.

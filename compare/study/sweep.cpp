@@ -39,7 +39,7 @@ void add_dimension(std::vector<Values>& all, const TomlTable& table) {
   }
   for (const auto& [key, value] : rows.front()) {
     if (std::any_of(all.front().begin(), all.front().end(),
-                    [&](const auto& entry) { return entry.first == key; }))
+                    [&name = key](const auto& entry) { return entry.first == name; }))
       throw table.error(key, "a second list of it", "each key once");
   }
   std::vector<Values> product;
@@ -103,9 +103,10 @@ std::vector<std::string> Combination::settings(const TomlTable& run) const {
   std::vector<std::string> out;
   for (const std::string& setting : written) out.push_back(filled(run, "set", setting));
   for (const auto& [key, value] : values_) {
-    const bool placed = std::any_of(written.begin(), written.end(), [&](const std::string& text) {
-      return text.find("{" + key + "}") != std::string::npos;
-    });
+    const bool placed =
+        std::any_of(written.begin(), written.end(), [&name = key](const std::string& text) {
+          return text.find("{" + name + "}") != std::string::npos;
+        });
     if (key.find('.') != std::string::npos && !placed) out.push_back(key + "=" + value);
   }
   return out;

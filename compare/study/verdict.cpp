@@ -106,9 +106,7 @@ std::string what_is_missing(const StudyResult& study, const RunResult& run,
 
 Verdict judged(const StudyResult& study, const RunResult& run, Verdict verdict) {
   verdict.run = run.study.name;
-  verdict.why = what_is_missing(study, run, verdict.parts);
-  if (verdict.why.empty())
-    verdict.outcome = decide(verdict.difference, verdict.tolerance, verdict.interval());
+  verdict.settle(what_is_missing(study, run, verdict.parts));
   return verdict;
 }
 
@@ -184,6 +182,20 @@ std::optional<double> Verdict::interval() const {
   return u ? std::optional(coverage * *u) : std::nullopt;
 }
 
+void Verdict::settle(const std::string& unknown) {
+  why = unknown;
+  if (!why.empty()) return;
+  outcome = decide(difference, tolerance, interval());
+  if (outcome != Outcome::undecided) return;
+  const std::array<std::pair<double, std::string>, 4> all{
+      {{parts.run.value_or(0.0), "the resolution of " + run},
+       {parts.reference.value_or(0.0), "the resolution of " + against},
+       {parts.data.value_or(0.0), "what is known of the published values"},
+       {parts.frames.value_or(0.0), "the time between frames"}}};
+  why = "the tolerance lies within the uncertainty, most of which is due to " +
+        std::max_element(all.begin(), all.end())->second;
+}
+
 Outcome decide(double difference, double tolerance, std::optional<double> interval) {
   if (!interval || !std::isfinite(*interval) || !std::isfinite(difference))
     return Outcome::undecided;
@@ -206,6 +218,14 @@ std::optional<double> level_uncertainty(const std::vector<LevelValue>& levels, s
   return std::abs(levels.at(own).value - chosen->front().value) + found.uncertainty;
 }
 
+std::array<double, 8> followed_moments(double begin, double end) {
+  std::array<double, 8> moments{};
+  const auto count = static_cast<double>(moments.size());
+  for (std::size_t k = 0; k < moments.size(); ++k)
+    moments[k] = begin + (static_cast<double>(k) + 0.5) / count * (end - begin);
+  return moments;
+}
+
 std::vector<const RunResult*> refinements_of(const StudyResult& study, const RunResult& run) {
   std::vector<const RunResult*> found{&run};
   for (const auto* list : {&study.runs, &study.others}) {
@@ -222,8 +242,10 @@ std::vector<const RunResult*> refinements_of(const StudyResult& study, const Run
 
 std::optional<double> front_uncertainty(const StudyResult& study, const RunResult& run) {
   const std::vector<const RunResult*> refinements = refinements_of(study, run);
+  const Window window =
+      difference(run.measured->front, study.reference_run().front, study.wall()).window;
   double squares = 0.0, n = 0.0;
-  for (const double t : convergence_times) {
+  for (const double t : followed_moments(window.begin.value(), window.end.value())) {
     const auto value = [&](const MeasuredRun& level) -> std::optional<double> {
       const auto z = level.front.at(DimensionlessTime(t));
       return z ? std::optional(z->value()) : std::nullopt;
@@ -239,6 +261,7 @@ std::optional<double> front_uncertainty(const StudyResult& study, const RunResul
 
 std::vector<Verdict> find_verdicts(const StudyResult& study) {
   std::vector<Verdict> verdicts;
+  if (!study.has_front) return verdicts;
   const auto add = [&](std::optional<Verdict> verdict) {
     if (verdict) verdicts.push_back(std::move(*verdict));
   };

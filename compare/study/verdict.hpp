@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -41,9 +42,11 @@ struct Verdict {
   double tolerance = 0.0;
   Uncertainties parts;
   Outcome outcome = Outcome::undecided;
-  std::string why;  ///< what is not known; empty where the outcome follows from the numbers
+  std::string why;  ///< of what is undecided: what is not known, or what U is mostly made of
 
   [[nodiscard]] std::optional<double> interval() const;  ///< U
+  /// The outcome by decide(). `unknown`: why there is none; empty where all parts are known.
+  void settle(const std::string& unknown);
 };
 
 /// The rule above.
@@ -59,15 +62,19 @@ struct LevelValue {
 [[nodiscard]] std::optional<double> level_uncertainty(const std::vector<LevelValue>& levels,
                                                       std::size_t own);
 
+/// The moments (or places) at which an uncertainty is followed through a window: the middles of
+/// eight equal parts.
+[[nodiscard]] std::array<double, 8> followed_moments(double begin, double end);
+
 /// Complete runs that are the given one at other spacings, and itself: the same program, case,
 /// method, preset and settings but for the resolution and the end; or, where it has a group, the
 /// runs of role convergence of that group. One run for each spacing.
 [[nodiscard]] std::vector<const RunResult*> refinements_of(const StudyResult& study,
                                                            const RunResult& run);
 
-/// Standard uncertainty of a run's leading edge, in Z/L: root of the mean square over
-/// convergence_times of what its refinements say. Empty where they do not say it at all times that
-/// the run's front knows.
+/// Standard uncertainty of a run's leading edge, in Z/L: root of the mean square, over
+/// eight moments of the window in which it is compared with the reference, of what its refinements
+/// say. Empty where they do not say it at all moments that the run's front knows.
 [[nodiscard]] std::optional<double> front_uncertainty(const StudyResult& study,
                                                       const RunResult& run);
 

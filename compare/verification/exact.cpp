@@ -1,5 +1,6 @@
 #include "compare/verification/exact.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -13,35 +14,57 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-using DropState = std::array<double, 3>;  // a, b, sigma/A; time in 1/A
-
-DropState drop_rate(const DropState& s) {
-  const double a2 = s[0] * s[0];
-  const double b2 = s[1] * s[1];
-  return {-s[2] * s[0], s[2] * s[1], s[2] * s[2] * (a2 - b2) / (a2 + b2)};
-}
-
-DropState moved(const DropState& s, double step, const DropState& rate) {
-  return {s[0] + step * rate[0], s[1] + step * rate[1], s[2] + step * rate[2]};
+/// The classical Runge-Kutta scheme in steps of at most `longest`.
+template <std::size_t N, class Rate>
+std::array<double, N> integrated(std::array<double, N> s, double end, double longest,
+                                 const Rate& rate) {
+  const auto steps = static_cast<long>(std::ceil(end / longest));
+  const double dt = steps > 0 ? end / static_cast<double>(steps) : 0.0;
+  const auto moved = [](std::array<double, N> from, double step, const std::array<double, N>& by) {
+    for (std::size_t i = 0; i < N; ++i) from[i] += step * by[i];
+    return from;
+  };
+  for (long k = 0; k < steps; ++k) {
+    const auto k1 = rate(s);
+    const auto k2 = rate(moved(s, 0.5 * dt, k1));
+    const auto k3 = rate(moved(s, 0.5 * dt, k2));
+    const auto k4 = rate(moved(s, dt, k3));
+    for (std::size_t i = 0; i < N; ++i)
+      s[i] += dt / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+  }
+  return s;
 }
 
 }  // namespace
 
 DropAxes drop_axes(double rate, double t) {
-  constexpr double longest_step = 1e-3;
-  const double end = rate * t;
-  const auto steps = static_cast<long>(std::ceil(end / longest_step));
-  const double dt = steps > 0 ? end / static_cast<double>(steps) : 0.0;
-  DropState s{1.0, 1.0, 1.0};
-  for (long k = 0; k < steps; ++k) {
-    const DropState k1 = drop_rate(s);
-    const DropState k2 = drop_rate(moved(s, 0.5 * dt, k1));
-    const DropState k3 = drop_rate(moved(s, 0.5 * dt, k2));
-    const DropState k4 = drop_rate(moved(s, dt, k3));
-    for (std::size_t i = 0; i < s.size(); ++i)
-      s[i] += dt / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
-  }
-  return {s[0], s[1]};
+  using State = std::array<double, 3>;  // a, b, sigma/A; time in 1/A
+  const State end = integrated(State{1.0, 1.0, 1.0}, rate * t, 1e-3, [](const State& s) {
+    const double a2 = s[0] * s[0], b2 = s[1] * s[1];
+    return State{-s[2] * s[0], s[2] * s[1], s[2] * s[2] * (a2 - b2) / (a2 + b2)};
+  });
+  return {end[0], end[1]};
+}
+
+std::array<double, 3> ellipsoid_axes(const std::array<double, 3>& rates, double t) {
+  using State = std::array<double, 6>;  // a_i, A_i
+  const double fastest =
+      std::max({std::abs(rates[0]), std::abs(rates[1]), std::abs(rates[2]), 1e-300});
+  const State end = integrated(
+      State{1.0, 1.0, 1.0, rates[0], rates[1], rates[2]}, t, 1e-3 / fastest, [](const State& s) {
+        double squares = 0.0, curvature = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          squares += s[3 + i] * s[3 + i];
+          curvature += 1.0 / (s[i] * s[i]);
+        }
+        State rate{};
+        for (std::size_t i = 0; i < 3; ++i) {
+          rate[i] = s[3 + i] * s[i];
+          rate[3 + i] = squares / curvature / (s[i] * s[i]) - s[3 + i] * s[3 + i];
+        }
+        return rate;
+      });
+  return {end[0], end[1], end[2]};
 }
 
 double wave_frequency(double g, double k, double depth) {

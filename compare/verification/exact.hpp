@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace surge::compare {
@@ -19,6 +20,13 @@ struct DropAxes {
 /// which we integrate by the classical Runge-Kutta scheme. a b stays 1, and so does the kinetic
 /// energy, sigma^2 (a^2 + b^2). t >= 0, s.
 [[nodiscard]] DropAxes drop_axes(double rate, double t);
+
+/// The same in three dimensions: a sphere of radius one with the velocity (A1 x, A2 y, A3 z) at
+/// time zero, A1 + A2 + A3 = 0, in 1/s. It stays an ellipsoid of semi-axes a_i with the velocity
+/// A_i x_i; p = P (1 - sum x_i^2/a_i^2) and the volume, which stays, ask for
+///   da_i/dt = A_i a_i,  dA_i/dt + A_i^2 = 2 P/(rho a_i^2),  2 P/rho = sum A_i^2 / sum 1/a_i^2.
+/// The kinetic energy, sum A_i^2 a_i^2, stays too. Returns a_1, a_2, a_3 at t >= 0, s.
+[[nodiscard]] std::array<double, 3> ellipsoid_axes(const std::array<double, 3>& rates, double t);
 
 /// Angular frequency (1/s) of a gravity wave of small amplitude with wave number k (1/m) on water
 /// of depth h: omega^2 = g k tanh kh (Lamb 1932, Hydrodynamics, Art. 228).

@@ -113,6 +113,12 @@ class Checker {
     check_extent(table, tank.box);
     for (std::size_t a = 0; a < dimension_; ++a) {
       if (!tank.periodic[a]) continue;
+      // What lies a period farther is a copy only where the axis of rotation passes through both.
+      if (case_.motion.kind == TankMotion::Kind::rotation &&
+          std::abs(case_.motion.direction[a]) < 1.0 - 1e-12) {
+        throw table.error("periodic", std::string(axis[a]) + " in a tank that turns",
+                          "a rotation about the periodic axis, or walls");
+      }
       for (const std::size_t side : {2 * a, 2 * a + 1}) {
         if (!tank.open[side]) continue;
         const std::string name = axis[a] + std::string(side % 2 == 0 ? "-" : "+");

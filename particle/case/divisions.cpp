@@ -45,6 +45,7 @@ NearSpacings near_spacings(const std::vector<double>& lengths, double spacing) {
   // Every common divisor of all lengths is the smallest one over a whole number.
   const double smallest = *std::min_element(lengths.begin(), lengths.end());
   const double from = std::floor(smallest / spacing);
+  if (!(from < 1e15)) return near;  // one more or less is then no other number
   for (double parts = from; parts >= std::max(1.0, from - most_tries); --parts) {
     if (smallest / parts <= spacing || !divides_all(lengths, smallest / parts)) continue;
     near.above = smallest / parts;

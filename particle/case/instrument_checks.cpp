@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "particle/case/case_checks.hpp"
@@ -28,6 +29,7 @@ class Instruments {
       const TomlTable table = root_.tables("probe")[i];
       check_in_tank(table, case_.probes[i].position, {});
       check_in_water(table, case_.probes[i].position, {});
+      check_diameter(table, case_.probes[i].diameter);
     }
     for (std::size_t i = 0; i < case_.gauges.size(); ++i) {
       const TomlTable table = root_.tables("gauge")[i];
@@ -89,6 +91,18 @@ class Instruments {
       if (inside(case_.obstacles[i])) refuse("obstacle." + std::to_string(i));
     for (std::size_t i = 0; i < case_.moving_walls.size(); ++i)
       if (inside(case_.moving_walls[i].box)) refuse("moving_wall." + std::to_string(i));
+  }
+
+  /// A sensor is in a wall of the tank, or smaller than what could stand in it.
+  void check_diameter(const TomlTable& table, double diameter) const {
+    if (!case_.has_tank) return;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t a = 0; a < dimension_; ++a)
+      if (!case_.tank.periodic[a])
+        smallest = std::min(smallest, case_.tank.box.upper[a] - case_.tank.box.lower[a]);
+    if (diameter > smallest)
+      throw table.error("diameter", number_text(diameter) + " m",
+                        "at most the tank's smallest size, " + number_text(smallest) + " m");
   }
 
   /// A side must be a wall.

@@ -6,6 +6,7 @@
 
 #include "particle/case/enum_names.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge {
 
@@ -45,9 +46,7 @@ std::string shown(std::string_view line) {
 }
 
 std::vector<Sample> read_samples(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file) || !stream)
-    throw Error(file.string() + ": found no readable file, expected a table of time,value");
+  std::ifstream stream = open_regular(file, most_table_bytes, "a table of time,value");
   std::vector<Sample> samples;
   std::string line;
   for (std::size_t number = 1; std::getline(stream, line); ++number) {

@@ -42,15 +42,6 @@ template <int D>
 BodyForce<D>::BodyForce(const Case& c) : gravity3_(c.gravity), motion_(c.motion) {
   std::copy_n(c.gravity.begin(), D, gravity_.begin());
   if (c.has_tank) periodic_ = c.tank.periodic;
-  if (motion_.kind != TankMotion::Kind::rotation) return;
-  for (std::size_t a = 0; a < D; ++a) {
-    // What lies a period farther is a copy only where the axis of rotation passes through both.
-    if (periodic_[a] && std::abs(motion_.direction[a]) < 1.0 - 1e-12) {
-      throw Error(
-          "motion: found a rotation that turns a periodic axis, expected one about that axis, or "
-          "walls");
-    }
-  }
 }
 
 template <int D>

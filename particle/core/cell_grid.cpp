@@ -87,7 +87,8 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
   cell_of_.resize(n);
   order_.resize(n);
   cell_begin_.resize(cells + 1);
-  histogram_.assign(threads * cells, 0);
+  histogram_.resize(threads * cells);
+  stretch_begin_.resize(threads);
 
   // Stable counting sort: each thread counts and later places one stretch of the old order, so the
   // new order does not depend on the number of threads.
@@ -98,6 +99,7 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
     const std::size_t begin = n * t / team;
     const std::size_t end = n * (t + 1) / team;
     std::uint32_t* count = histogram_.data() + t * cells;
+    std::fill_n(count, cells, 0);
     for (std::size_t i = begin; i < end; ++i) {
       std::size_t cell = 0;
       for (int a = D - 1; a >= 0; --a) {
@@ -109,19 +111,26 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
       ++count[cell];
     }
 #pragma omp barrier
-#pragma omp single
-    {
-      std::uint32_t sum = 0;
-      for (std::size_t c = 0; c < cells; ++c) {
-        cell_begin_[c] = sum;
-        for (std::size_t k = 0; k < team; ++k) {
-          const std::uint32_t here = histogram_[k * cells + c];
-          histogram_[k * cells + c] = sum;
-          sum += here;
-        }
+    // Where each cell begins, and in it each thread: every thread does a stretch of the cells.
+    const std::size_t first = cells * t / team;
+    const std::size_t last = cells * (t + 1) / team;
+    std::uint32_t in_stretch = 0;
+    for (std::size_t k = 0; team > 1 && k < team; ++k)
+      for (std::size_t c = first; c < last; ++c) in_stretch += histogram_[k * cells + c];
+    stretch_begin_[t] = in_stretch;
+#pragma omp barrier
+    std::uint32_t sum = 0;
+    for (std::size_t k = 0; k < t; ++k) sum += stretch_begin_[k];
+    for (std::size_t c = first; c < last; ++c) {
+      cell_begin_[c] = sum;
+      for (std::size_t k = 0; k < team; ++k) {
+        const std::uint32_t here = histogram_[k * cells + c];
+        histogram_[k * cells + c] = sum;
+        sum += here;
       }
-      cell_begin_[cells] = sum;
     }
+    if (t + 1 == team) cell_begin_[cells] = sum;
+#pragma omp barrier
     for (std::size_t i = begin; i < end; ++i)
       order_[count[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
   }

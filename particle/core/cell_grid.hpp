@@ -96,12 +96,11 @@ class CellGrid {
   /// Calls f(Segment) for the stretches that hold all neighbours of the particles of a cell.
   template <class F>
   void for_each_segment(std::size_t cell, F&& f) const;
-  /// The same for the cell at `centre` and the half of its surroundings that comes after it in the
-  /// numbering (with periodic axes: of the numbering continued across the boundary), the cell's own
-  /// particles first: over all cells, each pair of particles is found once. Not for a single cell.
+  /// The same for the particles of several cells of a row, from the one at `first` to the one whose
+  /// index along x is `last`. Not for a single cell.
   template <class F>
-  void for_each_forward_segment(const std::array<int, D>& centre, F&& f) const {
-    rows_around(centre, true, f);
+  void for_each_segment_around(const std::array<int, D>& first, int last, F&& f) const {
+    rows_around(first, last, f);
   }
   [[nodiscard]] std::size_t cell_at(const std::array<int, D>& indices) const {
     std::size_t cell = 0;
@@ -124,7 +123,7 @@ class CellGrid {
   void sort_into_cells(const std::array<Field, D>& x);
   [[nodiscard]] std::array<int, D> cell_indices(std::size_t cell) const;
   template <class F>
-  void rows_around(const std::array<int, D>& centre, bool forward, F& f) const;
+  void rows_around(const std::array<int, D>& first, int last, F& f) const;
   template <class F>
   void segments_of_row(const std::array<int, D>& row, int first, int last, Vec<D> shift,
                        F& f) const;
@@ -137,7 +136,8 @@ class CellGrid {
   std::array<int, D> cells_{};
   std::vector<std::size_t> cell_begin_{0, 0};
   std::vector<std::uint32_t> cell_of_, order_;
-  std::vector<std::uint32_t> histogram_;  ///< per thread and cell
+  std::vector<std::uint32_t> histogram_;      ///< per thread and cell
+  std::vector<std::uint32_t> stretch_begin_;  ///< particles in each thread's stretch of the cells
   Field scratch_double_;
   AlignedVector<std::int32_t> scratch_int_;
   AlignedVector<ParticleType> scratch_type_;
@@ -166,31 +166,30 @@ void CellGrid<D>::for_each_segment(std::size_t cell, F&& f) const {
     }
     return;
   }
-  rows_around(cell_indices(cell), false, f);
+  const std::array<int, D> index = cell_indices(cell);
+  rows_around(index, index[0], f);
 }
 
 template <int D>
 template <class F>
-void CellGrid<D>::rows_around(const std::array<int, D>& centre, bool forward, F& f) const {
+void CellGrid<D>::rows_around(const std::array<int, D>& first, int last, F& f) const {
   const int width = 2 * reach_ + 1;
   int rows = 1;
   for (int a = 1; a < D; ++a) rows *= width;
-  const int own = rows / 2;
-  for (int k = forward ? own : 0; k < rows; ++k) {
+  for (int k = 0; k < rows; ++k) {
     std::array<int, D> row{};
     Vec<D> shift{};
     bool inside = true;
     int rest = k;
     for (int a = 1; a < D; ++a) {
-      row[a] = centre[a] + rest % width - reach_;
+      row[a] = first[a] + rest % width - reach_;
       rest /= width;
       while (is_periodic(a) && row[a] < 0) row[a] += cells_[a], shift[a] -= periodicity_.length[a];
       while (is_periodic(a) && row[a] >= cells_[a])
         row[a] -= cells_[a], shift[a] += periodicity_.length[a];
       inside = inside && row[a] >= 0 && row[a] < cells_[a];
     }
-    const int first = centre[0] - (forward && k == own ? 0 : reach_);
-    if (inside) segments_of_row(row, first, centre[0] + reach_, shift, f);
+    if (inside) segments_of_row(row, first[0] - reach_, last + reach_, shift, f);
   }
 }
 

@@ -28,6 +28,11 @@ class Displacement {
     return d;
   }
 
+  [[nodiscard]] const double* positions(int axis) const { return x_[axis].data(); }
+  [[nodiscard]] bool is_periodic() const { return periodic_; }
+  [[nodiscard]] double length(int axis) const { return length_[axis]; }  ///< m; 0: not periodic
+  [[nodiscard]] double inverse_length(int axis) const { return inverse_[axis]; }
+
  private:
   const std::array<Field, D>& x_;
   Vec<D> length_;
@@ -52,6 +57,13 @@ class NeighbourList {
   template <class Wanted>
   void build(const CellGrid<D>& grid, const std::array<Field, D>& x, double radius,
              Wanted&& wanted) {
+    build(
+        grid, x, radius, [](std::size_t) { return true; }, wanted);
+  }
+  /// The same where cell_wanted(cell) holds as well: the others' particles cost nothing.
+  template <class CellWanted, class Wanted>
+  void build(const CellGrid<D>& grid, const std::array<Field, D>& x, double radius,
+             CellWanted&& cell_wanted, Wanted&& wanted) {
     const std::size_t n = x[0].size();
     if (number_.size() != n) {
       number_.resize(n);
@@ -65,11 +77,10 @@ class NeighbourList {
     for (int a = 0; a < D; ++a) fields[a] = x[a].data();
     fields[D] = number_.data();
     const double radius2 = radius * radius;
-    pair_loop<D, D + 1>(
-        grid, buffers_, fields, [](std::size_t) { return true; },
-        [&](std::size_t i, const Tile<D + 1>& tile) {
-          if (wanted(i)) list_neighbours(i, x, radius2, tile);
-        });
+    pair_loop<D, D + 1>(grid, buffers_, fields, cell_wanted,
+                        [&](std::size_t i, const Tile<D + 1>& tile) {
+                          if (wanted(i)) list_neighbours(i, x, radius2, tile);
+                        });
   }
 
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t i) const {
@@ -96,15 +107,20 @@ class NeighbourList {
     chunk.resize(begin + tile.count);
     std::uint32_t* out = chunk.data() + begin;
     std::size_t count = 0;
-    for (std::size_t j = 0; j < tile.count; ++j) {
-      double r2 = 0.0;
+    alignas(64) std::array<double, simd_width> r2;
+    for (std::size_t first = 0; first < tile.count; first += simd_width) {
+      Simd square = 0.0;
       for (int a = 0; a < D; ++a) {
-        const double d = tile.field[a][j] - x[a][i];
-        r2 += d * d;
+        const Simd d = load(tile.field[a] + first) - x[a][i];
+        square += d * d;
       }
-      const auto index = static_cast<std::uint32_t>(tile.field[D][j]);
-      out[count] = index;
-      count += static_cast<std::size_t>((r2 < radius2) & (index != i));
+      if (stdx::none_of(square < radius2)) continue;
+      square.copy_to(r2.data(), stdx::vector_aligned);
+      for (std::size_t k = 0; k < simd_width; ++k) {
+        const auto index = static_cast<std::uint32_t>(tile.field[D][first + k]);
+        out[count] = index;
+        count += static_cast<std::size_t>((r2[k] < radius2) & (index != i));
+      }
     }
     chunk.resize(begin + count);
     range_[i] = {begin, static_cast<std::uint32_t>(count), thread};

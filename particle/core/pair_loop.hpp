@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <omp.h>
@@ -26,7 +27,11 @@ class TileBuffer {
   Tile<F> gather(const CellGrid<D>& grid, std::size_t cell,
                  const std::array<const double*, F>& fields) {
     std::size_t count = 0;
-    grid.for_each_segment(cell, [&](const auto& s) { count += s.end - s.begin; });
+    segments_.clear();
+    grid.for_each_segment(cell, [&](const auto& s) {
+      segments_.push_back(s);
+      count += s.end - s.begin;
+    });
     const std::size_t padded = (count + simd_width - 1) / simd_width * simd_width;
     if (padded > capacity_) {
       // An odd number of cache lines between the fields keeps them out of each other's cache sets.
@@ -38,11 +43,10 @@ class TileBuffer {
     for (int k = 0; k < F; ++k) {
       double* out = data_.data() + static_cast<std::size_t>(k) * capacity_;
       tile.field[k] = out;
-      grid.for_each_segment(cell, [&](const auto& s) {
-        const double shift = k < D ? s.shift[k] : 0.0;
-        const double* in = fields[k];
-        for (std::size_t j = s.begin; j < s.end; ++j) *out++ = in[j] + shift;
-      });
+      for (const auto& s : segments_) {
+        copy_run(fields[k] + s.begin, s.end - s.begin, k < D ? s.shift[k] : 0.0, out);
+        out += s.end - s.begin;
+      }
       for (std::size_t j = count; j < padded; ++j) *out++ = k < D ? far_away : 0.0;
     }
     return tile;
@@ -52,6 +56,7 @@ class TileBuffer {
   static constexpr double far_away = 1e15;
   Field data_;
   std::size_t capacity_ = 0;
+  std::vector<typename CellGrid<D>::Segment> segments_;
 };
 
 /// Calls body(i, tile) for every particle i of the cells for which wanted(cell) holds; the tile has

@@ -1,5 +1,7 @@
 #include "particle/core/pressure_sampler.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -160,12 +162,27 @@ const std::vector<double>& PressureSampler<D>::measure(const Particles<D>& parti
   if (points_.empty()) return pressure_;
   std::fill(sum_.begin(), sum_.end(), 0.0);
   std::fill(weights_.begin(), weights_.end(), 0.0);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.type[i] != ParticleType::fluid) continue;
-    Vec<D> x = particles.position(i);
-    for (std::size_t a = 0; a < D; ++a) x[a] -= shift[a];
-    for_each_image(x, [&](const Vec<D>& image) { add(image, particles.pressure[i]); });
+  // Threads look who is near, each in a stretch of its own; the sums are made in the order of the
+  // particles, whatever the number of threads.
+  near_.resize(static_cast<std::size_t>(omp_get_max_threads()));
+  for (auto& near : near_) near.clear();
+  const auto n = static_cast<std::ptrdiff_t>(particles.size());
+#pragma omp parallel
+  {
+    auto& near = near_[static_cast<std::size_t>(omp_get_thread_num())];
+#pragma omp for schedule(static)
+    for (std::ptrdiff_t k = 0; k < n; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      if (particles.type[i] != ParticleType::fluid) continue;
+      Vec<D> x = particles.position(i);
+      for (std::size_t a = 0; a < D; ++a) x[a] -= shift[a];
+      for_each_image(x, [&](const Vec<D>& image) {
+        near.push_back({image, particles.pressure[i]});
+      });
+    }
   }
+  for (const auto& near : near_)
+    for (const Near& one : near) add(one.x, one.pressure);
   for (std::size_t k = 0; k < points_.size(); ++k)
     pressure_[k] = weights_[k] > 0.0 ? sum_[k] / std::max(weights_[k], wet_[k]) : 0.0;
   return pressure_;

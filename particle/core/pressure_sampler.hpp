@@ -42,6 +42,11 @@ class PressureSampler {
   std::vector<std::size_t> cell_begin_;
   std::vector<std::size_t> sorted_;
   std::vector<double> sum_, weights_, pressure_;
+  struct Near {
+    Vec<D> x;         ///< m
+    double pressure;  ///< Pa
+  };
+  std::vector<std::vector<Near>> near_;  ///< particles near the points, of each thread's stretch
 };
 
 }  // namespace surge

@@ -5,6 +5,10 @@
 
 namespace surge {
 
+/// Makes a lambda part of the loop that calls it, so that what it reads and gives stays in
+/// registers: the compiler takes those of the loops over pairs for too long.
+#define SURGE_INLINE __attribute__((always_inline))
+
 namespace stdx = std::experimental;
 
 /// As many doubles as the processor works on at once.
@@ -35,16 +39,6 @@ inline void copy_run(const double* from, std::size_t n, double shift, double* to
   };
   for (std::size_t k = 0; k + simd_width <= n; k += simd_width) copy(k);
   copy(n - simd_width);
-}
-
-/// to[k] += from[k] for k < n, in the same way.
-inline void add_run(const double* from, std::size_t n, double* to) {
-  std::size_t k = 0;
-  for (; k + simd_width <= n; k += simd_width) {
-    const Simd sum = Simd(from + k, stdx::element_aligned) + Simd(to + k, stdx::element_aligned);
-    sum.copy_to(to + k, stdx::element_aligned);
-  }
-  for (; k < n; ++k) to[k] += from[k];
 }
 
 }  // namespace surge

@@ -10,7 +10,7 @@ namespace surge {
 
 /// What the run loop needs of a method: Solver<D>(const Case&, const Params&, Search).
 template <class S>
-concept ParticleSolver = requires(S solver, const S& view, double dt_limit, Clock& clock) {
+concept ParticleSolver = requires(S& solver, const S& view, double dt_limit, Clock& clock) {
   /// Advances by one step, no longer than dt_limit (s).
   { solver.step(dt_limit) } -> std::same_as<StepReport>;
   /// The step that the method would take now (s), before dt_limit.

@@ -1,9 +1,16 @@
 #include "particle/core/wall_collision.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace surge {
+namespace {
+
+/// How far behind a face one looks for what lies there, as a share of the body's size.
+constexpr double behind = 1e-6;
+
+}  // namespace
 
 template <int D>
 WallCollision<D>::WallCollision(const Case& c, double distance, double restitution)
@@ -175,6 +182,66 @@ bool WallCollision<D>::in_obstacle(const Vec<D>& x) const {
     for (int a = 0; a < D; ++a) point[a] -= mover.after[a];
     return inside(mover.wall.box, point);
   });
+}
+
+template <int D>
+template <class F>
+std::optional<Vec<D>> WallCollision<D>::first_of_boxes(F&& f) const {
+  for (const Box& box : solid_)
+    if (const auto found = f(box)) return found;
+  for (const Mover& mover : movers_) {
+    Box box = mover.wall.box;
+    for (int a = 0; a < D; ++a) {
+      box.lower[a] += mover.after[a];
+      box.upper[a] += mover.after[a];
+    }
+    if (const auto found = f(box)) return found;
+  }
+  return std::nullopt;
+}
+
+template <int D>
+std::optional<Vec<D>> WallCollision<D>::free_face(const Box& box, const Vec<D>& x) const {
+  double least = std::numeric_limits<double>::max();
+  std::optional<Vec<D>> nearest;
+  for (int a = 0; a < D; ++a) {
+    const double tip = behind * (box.upper[a] - box.lower[a]);
+    for (const double side : {-1.0, 1.0}) {
+      Vec<D> point = x;
+      point[a] = side < 0.0 ? box.lower[a] : box.upper[a];
+      const double distance = std::abs(point[a] - x[a]);
+      Vec<D> outside = point;
+      outside[a] += side * tip;
+      // What reaches a periodic side goes on behind it.
+      const bool cut = has_tank_ && tank_.periodic[a] &&
+                       (outside[a] < tank_.box.lower[a] || outside[a] > tank_.box.upper[a]);
+      if (distance >= least || cut || is_solid(outside)) continue;
+      least = distance;
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
+template <int D>
+std::optional<Vec<D>> WallCollision<D>::free_surface_of_wall(const Vec<D>& x) const {
+  Vec<D> point = x;
+  Vec<D> inside = x;
+  for (int a = 0; has_tank_ && a < D; ++a) {
+    if (tank_.periodic[a]) continue;
+    point[a] = std::clamp(x[a], tank_.box.lower[a], tank_.box.upper[a]);
+    inside[a] = point[a];
+    const double tip = behind * (tank_.box.upper[a] - tank_.box.lower[a]);
+    if (x[a] != point[a]) inside[a] += x[a] < point[a] ? tip : -tip;
+  }
+  const auto leave = [&](const Box& box) -> std::optional<Vec<D>> {
+    for (int a = 0; a < D; ++a)
+      if (inside[a] < box.lower[a] || inside[a] > box.upper[a]) return std::nullopt;
+    return free_face(box, point);
+  };
+  const auto from_box = first_of_boxes(leave);
+  if (from_box) return from_box;
+  return is_solid(inside) ? std::nullopt : std::optional<Vec<D>>(point);
 }
 
 template class WallCollision<2>;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "particle/case/case.hpp"
 #include "particle/core/particles.hpp"
 
@@ -27,6 +29,9 @@ class WallCollision {
   [[nodiscard]] bool is_lost(const Vec<D>& x) const;
   /// Whether x lies beyond a wall of the tank or inside an obstacle or moving wall.
   [[nodiscard]] bool is_solid(const Vec<D>& x) const;
+  /// The point nearest to x, in a wall, on the surface of that wall; where another wall covers it,
+  /// as a piston covers the floor, on what of that one's surface is free. Empty where none is.
+  [[nodiscard]] std::optional<Vec<D>> free_surface_of_wall(const Vec<D>& x) const;
 
  private:
   struct Mover {
@@ -38,6 +43,11 @@ class WallCollision {
   };
   bool keep_out_of(const Mover& mover, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
   [[nodiscard]] bool in_obstacle(const Vec<D>& x) const;
+  /// The nearest point of a box's faces behind which nothing is solid. x: in the box or on it.
+  [[nodiscard]] std::optional<Vec<D>> free_face(const Box& box, const Vec<D>& x) const;
+  /// f(box) for all obstacles and moving walls where they are, until it gives a point.
+  template <class F>
+  [[nodiscard]] std::optional<Vec<D>> first_of_boxes(F&& f) const;
   bool keep_in_tank(Vec<D>& end, Vec<D>& velocity) const;
   bool keep_out(const Box& obstacle, const Vec<D>& start, Vec<D>& end, Vec<D>& velocity) const;
 

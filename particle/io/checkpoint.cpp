@@ -12,6 +12,7 @@
 #include "particle/io/run_folder.hpp"
 #include "particle/io/run_size.hpp"
 #include "particle/io/source_hash.hpp"
+#include "particle/support/json.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge {
@@ -162,7 +163,11 @@ json Checkpoint::read_header() {
     refuse("found a header that is none, expected that of a checkpoint");
   std::string text(length, '\0');
   stream_.read(text.data(), static_cast<std::streamsize>(length));
-  return json::parse(text);
+  try {
+    return parse_json(text, file_.string());
+  } catch (const Error&) {
+    refuse("found a header that is none, expected that of a checkpoint");
+  }
 }
 
 void Checkpoint::check_build(const json& header) const {

@@ -4,6 +4,8 @@
 #include <ctime>
 #include <fstream>
 
+#include "particle/case/scales.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/version.hpp"
 
 namespace surge {
@@ -35,6 +37,8 @@ void each_entry(Record& r, F&& f) {
   f("ppe_worst_residual", r.ppe_worst_residual);
   f("ppe_setup", r.ppe_setup);
   f("ppe_solve", r.ppe_solve);
+  f("fastest", r.fastest);
+  f("fastest_at", r.fastest_at);
   f("restarts", r.restarts);
 }
 
@@ -79,12 +83,33 @@ RunRecord run_record(const nlohmann::json& j) {
   return record;
 }
 
-void RunRecord::add(const StepReport& report) {
+std::vector<std::string> warnings_of(const RunRecord& record, const Case& c) {
+  constexpr double doubtful = 10.0;
+  std::vector<std::string> warnings;
+  if (record.ppe_unconverged > 0)
+    warnings.push_back("the pressure solver gave up in " + std::to_string(record.ppe_unconverged) +
+                       " of " + std::to_string(record.steps) + " steps, with a residual of up to " +
+                       number_text(record.ppe_worst_residual) +
+                       " (ppe_tolerance, ppe_max_iterations)");
+  const double reference = reference_speed(c);
+  if (reference > 0.0 && record.fastest > doubtful * reference)
+    warnings.push_back("a particle reached " + number_text(record.fastest) + " m/s at " +
+                       number_text(record.fastest_at) + " s, more than ten times the " +
+                       number_text(reference) +
+                       " m/s of the flow: the run is unstable, or fluid.reference_speed too low");
+  return warnings;
+}
+
+void RunRecord::add(const StepReport& report, double time) {
   ++steps;
   lost_particles = report.lost;
   clipped += report.clipped;
   wall_collisions += report.wall_collisions;
   particle_collisions += report.particle_collisions;
+  if (report.v_max > fastest) {
+    fastest = report.v_max;
+    fastest_at = time;
+  }
   ppe_iterations += report.ppe_iterations;
   if (!report.ppe_converged) {
     ++ppe_unconverged;
@@ -127,6 +152,9 @@ std::string manifest_text(const RunRecord& record, const Computation& computatio
                 {"setup_s", record.ppe_setup},
                 {"solve_s", record.ppe_solve}};
   }
+  j["fastest_m_s"] = record.fastest;
+  j["fastest_at_s"] = record.fastest_at;
+  j["warnings"] = warnings_of(record, computation.flow);
   j["nonfinite"] = record.nonfinite;
   j["case"] = to_json(computation);
   return j.dump(2) + '\n';

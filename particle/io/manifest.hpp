@@ -44,16 +44,23 @@ struct RunRecord {
   double ppe_worst_residual = 0.0;  ///< of these
   double ppe_setup = 0.0;           ///< s in all, preconditioner or factorisation
   double ppe_solve = 0.0;           ///< s in all, the rest of it
+  double fastest = 0.0;             ///< m/s, of any particle at any step
+  double fastest_at = 0.0;          ///< s
   long nonfinite = 0;               ///< values that were infinite or not a number
   std::vector<Restart> restarts;    ///< those that led to what is there
 
-  void add(const StepReport& report);
+  /// A step that led to `time` (s).
+  void add(const StepReport& report, double time);
 };
 
 /// A record as a checkpoint keeps it.
 [[nodiscard]] nlohmann::json to_json(const RunRecord& record);
 /// The same back. Throws nlohmann::json::exception where it is none.
 [[nodiscard]] RunRecord run_record(const nlohmann::json& j);
+
+/// What of a run makes its results doubtful, a line each: a pressure solver that gave up, a
+/// particle faster than ten times the reference speed of the flow.
+[[nodiscard]] std::vector<std::string> warnings_of(const RunRecord& record, const Case& c);
 
 /// The name of this machine's processor.
 [[nodiscard]] std::string cpu_name();

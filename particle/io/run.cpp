@@ -221,12 +221,8 @@ class Run {
          << " particles lost: " << (folder_ / "particles.pvd").string() << std::endl;
     if (!record_.finished && kept_step_ == record_.steps)
       out_ << "with --restart it goes on from here" << std::endl;
-    if (record_.ppe_unconverged > 0) {
-      out_ << "warning: the pressure solver gave up in " << record_.ppe_unconverged << " of "
-           << record_.steps << " steps, with a residual of up to "
-           << number_text(record_.ppe_worst_residual) << " (ppe_tolerance, ppe_max_iterations)"
-           << std::endl;
-    }
+    for (const std::string& warning : warnings_of(record_, case_))
+      out_ << "warning: " << warning << std::endl;
   }
 
   void write_manifest() {

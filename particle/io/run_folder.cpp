@@ -15,6 +15,7 @@
 #include "particle/io/atomic_file.hpp"
 #include "particle/io/restart_error.hpp"
 #include "particle/io/step_table.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge {
 
@@ -32,8 +33,12 @@ constexpr std::array results{checkpoint_name, collection_name, steps_name, "case
 
 /// The manifest of a run of ours, or nothing.
 nlohmann::json manifest_of(const fs::path& folder) {
-  std::ifstream stream(folder / "manifest.json");
-  auto json = nlohmann::json::parse(stream, nullptr, false);
+  nlohmann::json json;
+  try {
+    json = read_json(folder / manifest_name);
+  } catch (const Error&) {  // whatever that is, it is no run of ours
+    return {};
+  }
   const bool ours =
       json.is_object() && json.contains("program") && json["program"] == "surge-particle";
   return ours ? json : nlohmann::json();

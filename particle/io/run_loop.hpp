@@ -122,8 +122,8 @@ class RunLoop {
   }
 
   void take_step(double limit) {
-    const StepReport report = solver_.step(limit);
-    record_.add(report);
+    const StepReport report = step(limit);
+    record_.add(report, solver_.time());
     record_.simulated = solver_.time();
     check_finite(report);
     const auto scope = solver_.clock().measure(Phase::output);
@@ -147,19 +147,35 @@ class RunLoop {
     control_.keep_checkpoint();
   }
 
+  /// A step that cannot be taken to its end leaves no state to look at.
+  StepReport step(double limit) {
+    try {
+      return solver_.step(limit);
+    } catch (const Error& error) {
+      throw Error(this_step(record_.steps + 1) + error.what() + keep_last_good());
+    }
+  }
+
+  [[nodiscard]] std::string this_step(long number) const {
+    return "step " + std::to_string(number) + " at t = " + number_text(solver_.time()) + " s: ";
+  }
+
+  /// Writes what is known to be right, and says what that is.
+  std::string keep_last_good() {
+    if (good_.size() > 0 && good_.time > last_frame_) push_frame(std::move(good_));
+    finish_frames();
+    output_.steps.flush();
+    return "; the last good state is frame " + std::to_string(record_.frames - 1) + " at " +
+           number_text(last_frame_) + " s";
+  }
+
   void check_finite(const StepReport& report) {
     record_.nonfinite = static_cast<long>(count_nonfinite(solver_.particles()));
     const bool vanished = !(report.dt > 1e-12 * case_.time.maximum_step);
     const bool runaway = fastest_ > 0.0 && report.v_max > fastest_;
     if (record_.nonfinite == 0 && !vanished && !runaway) return;
-    if (good_.size() > 0 && good_.time > last_frame_) push_frame(std::move(good_));
-    finish_frames();
-    output_.steps.flush();
-    const std::string when = "step " + std::to_string(record_.steps) +
-                             " at t = " + number_text(solver_.time()) + " s: found ";
-    const std::string where = "; the last good state is frame " +
-                              std::to_string(record_.frames - 1) + " at " +
-                              number_text(last_frame_) + " s";
+    const std::string where = keep_last_good();
+    const std::string when = this_step(record_.steps) + "found ";
     if (record_.nonfinite > 0) {
       throw Error(when + std::to_string(record_.nonfinite) +
                   " infinite or undefined particle values, expected none" + where);

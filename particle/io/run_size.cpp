@@ -16,6 +16,7 @@ namespace surge {
 namespace {
 
 constexpr double most_particles = 2e9;  ///< they are numbered in 32 bits
+constexpr double most_steps = 1e12;     ///< a century at a millisecond each is 3e12
 constexpr double program_bytes = 25e6;  ///< of the program itself with its libraries
 
 // Compressed frames of a collapse, measured: particles that stand still take little.
@@ -83,6 +84,14 @@ void check_size(const RunSize& size, const TomlTable& root, double available) {
                             number_text(size.particles.wall) + " wall particles";
   if (size.particles.all() > most_particles)
     throw resolution.error(key, found, "at most " + number_text(most_particles) + " particles");
+  // Whatever option makes the steps that short: such a run has no end.
+  if (!(size.steps <= most_steps)) {
+    throw root.table("time").error("end",
+                                   "an end that takes about " + number_text(size.steps) +
+                                       " steps, the first of " + number_text(size.first_step) +
+                                       " s",
+                                   "at most " + number_text(most_steps) + " steps");
+  }
   if (size.memory > available) {
     throw resolution.error(key, found + ", which take about " + bytes_text(size.memory),
                            "at most the memory of this machine, " + bytes_text(available));

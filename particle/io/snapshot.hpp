@@ -1,5 +1,7 @@
 #pragma once
 
+#include <omp.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -70,9 +72,21 @@ Snapshot take_snapshot(const Particles<D>& particles, double time) {
 /// arithmetic that the compiler vectorises, because it runs after every step.
 inline std::size_t count_nonfinite(const Field& values) {
   constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  const auto count_in = [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      count += (std::bit_cast<std::uint64_t>(values[i]) & exponent) == exponent ? 1 : 0;
+    return count;
+  };
+  const std::size_t n = values.size();
+  constexpr std::size_t worth_a_team = 65536;
+  if (n < worth_a_team) return count_in(0, n);
   std::size_t count = 0;
-  for (const double value : values) {
-    count += (std::bit_cast<std::uint64_t>(value) & exponent) == exponent ? 1 : 0;
+#pragma omp parallel reduction(+ : count)
+  {
+    const auto t = static_cast<std::size_t>(omp_get_thread_num());
+    const auto team = static_cast<std::size_t>(omp_get_num_threads());
+    count += count_in(n * t / team, n * (t + 1) / team);
   }
   return count;
 }

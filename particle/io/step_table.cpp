@@ -13,6 +13,7 @@
 
 #include "particle/case/enum_names.hpp"
 #include "particle/io/restart_error.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge {
 
@@ -33,8 +34,9 @@ struct Rows {
   std::streamoff bytes = 0;  ///< up to the end of the last line
 };
 Rows read_rows(const std::filesystem::path& file, long rows) {
-  std::ifstream stream(file, std::ios::binary);
   Rows found;
+  if (!std::filesystem::exists(file)) return found;
+  std::ifstream stream = open_regular(file, most_table_bytes, "a table of steps");
   for (std::string line; found.count < rows && std::getline(stream, line) && !stream.eof();) {
     ++found.count;
     found.bytes += static_cast<std::streamoff>(line.size()) + 1;

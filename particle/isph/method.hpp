@@ -25,7 +25,7 @@ struct Method {
   using Solver = isph::Solver<D>;
 
   static constexpr std::string_view name = "isph";
-  static constexpr std::string_view density_array = "position_divergence";
+  static constexpr std::string_view density_array = "lambda";
   static constexpr bool solves_pressure = true;
   static constexpr bool needs_reference_speed = false;
   static constexpr Supports supports{.tank_motion = true, .moving_walls = true};

@@ -15,9 +15,10 @@ AnyKernel<D> make_kernel(Kernel kernel, double h) {
   return WendlandC2<D>(h);
 }
 
-/// sum of V (-W'/r) x^2 over the lattice of spacing l0 around one of its points.
+/// sum of V (-W'/r) |x|^power, x along an axis, over the lattice of spacing l0 around one of its
+/// points.
 template <int D>
-double lattice_moment(const AnyKernel<D>& any, double radius, double l0) {
+double lattice_moment(const AnyKernel<D>& any, double radius, double l0, int power) {
   const int reach = static_cast<int>(std::ceil(radius / l0));
   std::array<int, D> begin;
   std::array<int, D> end;
@@ -31,7 +32,8 @@ double lattice_moment(const AnyKernel<D>& any, double radius, double l0) {
           for (const int a : k) square += a * a;
           const double r = std::sqrt(square) * l0;
           if (r > 0.0 && r < radius)
-            sum -= kernel.derivative(r) / r * std::pow(k[0] * l0, 2) * std::pow(l0, D);
+            sum -=
+                kernel.derivative(r) / r * std::pow(std::abs(k[0]) * l0, power) * std::pow(l0, D);
         });
         return sum;
       },
@@ -59,7 +61,8 @@ Model<D>::Model(const Case& c, const Params& params)
       divergence_time(divergence_time_of(params, c)),
       kernel(make_kernel<D>(params.kernel, h)),
       self_volume(volume * std::visit([](const auto& k) { return k.value(0.0); }, kernel)),
-      laplacian_factor(1.0 / lattice_moment<D>(kernel, radius, c.spacing)) {}
+      laplacian_factor(1.0 / lattice_moment<D>(kernel, radius, c.spacing, 2)),
+      mean_square(1.0 / laplacian_factor / lattice_moment<D>(kernel, radius, c.spacing, 0)) {}
 
 template struct Model<2>;
 template struct Model<3>;

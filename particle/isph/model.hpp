@@ -33,6 +33,7 @@ struct Model {
   /// What makes the Laplacian exact for quadratic fields on the initial lattice: 1/m with
   /// m = sum V (-W'/r) x^2, which is near 1.
   double laplacian_factor;
+  double mean_square;  ///< m2, of one component of a neighbour's distance on that lattice
 };
 
 }  // namespace surge::isph

@@ -26,8 +26,9 @@ void visit_options(P& p, Visitor&& option) {
   constexpr Bounds any;
   option("kernel", p.kernel, any, "kernel");
   option("h_over_l0", p.h_over_l0, Bounds::closed(0.7, 4.0), "smoothing length, in l0");
-  option("surface_divergence", p.surface_divergence, Bounds::open(0.0, 1.0),
-         "free surface where the divergence of the positions is below this times the dimension");
+  option("surface_lambda", p.surface_lambda, Bounds::open(0.0, 1.0),
+         "free surface where the smallest eigenvalue of the moments of the particles around is "
+         "below this");
   option("surface_at", p.surface_at, any,
          "p = 0 in the centres of the surface particles, or half a spacing outside");
   option("divergence_time", p.divergence_time, Bounds::at_least(0.0),

@@ -19,8 +19,8 @@ using PpeSolver = linear::Solver;
 /// Choices of the ISPH method. Lengths are in units of the particle spacing l0.
 struct Params {
   Kernel kernel = Kernel::wendland_c2;
-  double h_over_l0 = 1.5;            ///< smoothing length over spacing
-  double surface_divergence = 0.75;  ///< free surface where div x is below this times the dimension
+  double h_over_l0 = 1.5;        ///< smoothing length over spacing
+  double surface_lambda = 0.75;  ///< free surface where lambda is below this, see Surface
   SurfaceAt surface_at = SurfaceAt::half_spacing;
   double divergence_time = 0.0;      ///< to take old divergence back, l0/reference speed; 0: a step
   double shifting = 2.0;             ///< A of Skillen et al. (2013); 0: off

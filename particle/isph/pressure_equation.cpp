@@ -5,9 +5,11 @@
 namespace surge::isph {
 namespace {
 
-/// g - a_w of whichever of a pair is a wall, at the middle between them.
+/// What balances gravity between a particle and its neighbour, at the middle between them; for a
+/// wall g - a_w, by which it knows how steep the pressure is that keeps water away from it. Water
+/// is not itself accelerated by the wall: only by that pressure.
 template <int D>
-Vec<D> head_of_pair(const View<D>& view, std::size_t i, std::size_t j, const Vec<D>& d,
+Vec<D> head_of_pair(const View<D>& view, std::size_t i, const Vec<D>& d,
                     const BodyAcceleration<D>& still,
                     const std::array<Field, D>& wall_acceleration) {
   Vec<D> g = still.uniform;
@@ -17,9 +19,8 @@ Vec<D> head_of_pair(const View<D>& view, std::size_t i, std::size_t j, const Vec
     g = still.at(middle);
   }
   if (wall_acceleration[0].empty()) return g;
-  const std::size_t wall = view.is_fluid(i) ? j : i;
-  if (!view.is_fluid(wall))
-    for (int a = 0; a < D; ++a) g[a] -= wall_acceleration[a][wall];
+  if (!view.is_fluid(i))
+    for (int a = 0; a < D; ++a) g[a] -= wall_acceleration[a][i];
   return g;
 }
 
@@ -30,6 +31,7 @@ PressureEquation<D>::PressureEquation(const Model<D>& model, std::vector<Vec<D>>
     : wall_normal_(std::move(wall_normal)) {
   system_.dimension = D;
   system_.spacing = model.spacing;
+  system_.mean_square = model.mean_square;
 }
 
 template <int D>
@@ -81,7 +83,7 @@ void PressureEquation<D>::fill_row(const View<D>& view, const K& kernel, std::si
     const auto stored = static_cast<float>(2.0 * view.model.laplacian_factor *
                                            gradient_weight(view.model, kernel, r));
     const auto weight = static_cast<double>(stored);
-    const Vec<D> g = head_of_pair<D>(view, i, j, d, still, wall_acceleration);
+    const Vec<D> g = head_of_pair<D>(view, i, d, still, wall_acceleration);
     double head = 0.0;
     for (int a = 0; a < D; ++a) head += g[a] * d[a];
     // A wall without water near takes no part; it has none to couple with, either.

@@ -30,14 +30,7 @@ void Shift<D>::find(const View<D>& view, Surface<D>& surface, double v_max, doub
   with_kernel(view.model, [&](const auto& kernel) {
     view.for_each_fluid([&](std::size_t i) {
       const Vec<D> s = shift_of(view, kernel, surface, i, v_max, dt);
-      const auto gradient = vector_gradient(
-          view, kernel, i,
-          [&](std::size_t j) {
-            Vec<D> relative = view.p.velocity(j);
-            for (int a = 0; a < D; ++a) relative[a] -= view.p.v[a][i];
-            return relative;
-          },
-          [&](std::size_t j) { return view.is_fluid(j); });
+      const auto gradient = velocity_gradient_around(view, kernel, i);
       for (int a = 0; a < D; ++a) {
         shift_velocity[a][i] = s[a] / dt;
         carried_[a][i] = 0.0;
@@ -55,7 +48,7 @@ template <int D>
 template <class K>
 Vec<D> Shift<D>::shift_of(const View<D>& view, const K& kernel, const Surface<D>& surface,
                           std::size_t i, double v_max, double dt) const {
-  if (view.p.density[i] < detached_share) return {};
+  if (view.p.density[i] < detached_lambda) return {};
   Vec<D> s = surface.concentration_gradient(i);
   for (double& component : s) component *= -share_ * view.model.h * v_max * dt;
   s = without_part_along(s, surface.normal(view, i));

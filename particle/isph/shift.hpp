@@ -9,7 +9,11 @@ namespace surge::isph {
 /// diffusivity of Skillen, Lind, Stansby & Rogers (2013), Comput. Methods Appl. Mech. Eng. 265:
 ///   dx_i = -A h (v_max dt) grad C_i,
 /// no faster than the velocities about a particle differ; near a free surface only along it.
-/// Particles take the velocity that the fluid has where they are shifted to, v += (dx . grad) v.
+/// Inside the fluid particles take the velocity that it has where they are shifted to, v += (dx .
+/// grad) v. The gradient is that of the neighbours' velocities alone: with v_j - v_i a particle of
+/// its own speed sees a gradient towards its neighbours wherever they are on one side, is shifted
+/// away from them, and grows the faster the faster it is. At surfaces and walls, where neighbours
+/// are on one side, and in spray particles keep their velocities.
 template <int D>
 class Shift {
  public:

@@ -155,7 +155,8 @@ void Solver<D>::apply_body_forces(double dt) {
 template <int D>
 void Solver<D>::find_free_surface() {
   const auto scope = clock_.measure(Phase::pressure);
-  unknowns_ = surface_.find(view(), s_.surface_pressure, s_.p.density, unknown_, s_.p.pressure);
+  unknowns_ =
+      surface_.find(view(), walls_, s_.surface_pressure, s_.p.density, unknown_, s_.p.pressure);
 }
 
 template <int D>

@@ -2,26 +2,65 @@
 
 #include <algorithm>
 
+#include "particle/core/smallest_eigenvalue.hpp"
+
 namespace surge::isph {
 
 template <int D>
 Surface<D>::Surface(const Params& params)
-    : limit_(params.surface_divergence),
-      half_spacing_(params.surface_at == SurfaceAt::half_spacing) {}
+    : limit_(params.surface_lambda), half_spacing_(params.surface_at == SurfaceAt::half_spacing) {}
 
 template <int D>
-std::size_t Surface<D>::find(const View<D>& view, const Field& surface_pressure, Field& share,
-                             AlignedVector<std::int32_t>& unknown, Field& pressure) const {
+bool Surface<D>::is_wet(const View<D>& view, const WallCollision<D>& walls, std::size_t wall) {
+  bool near = false;
+  view.for_each_neighbour(
+      wall, [&](std::size_t j, const Vec<D>&, double) { near = near || view.is_fluid(j); });
+  if (!near) return false;
+  const Vec<D> x = view.p.position(wall);
+  const auto surface = walls.free_surface_of_wall(x);
+  if (!surface) return false;
+  const double reach2 = view.model.spacing * view.model.spacing;
+  bool wet = false;
+  view.for_each_neighbour(wall, [&](std::size_t j, Vec<D> d, double) {
+    if (!view.is_fluid(j)) return;
+    for (int a = 0; a < D; ++a) d[a] -= (*surface)[a] - x[a];
+    wet = wet || squared_norm<D>(d) < reach2;
+  });
+  return wet;
+}
+
+template <int D>
+template <class K>
+double Surface<D>::lambda_of(const View<D>& view, const K& kernel, std::size_t i) const {
+  std::array<double, symmetric_entries<D>> moment{};
+  view.for_each_neighbour(i, [&](std::size_t j, const Vec<D>& d, double r) {
+    if (fills_[j] == 0) return;
+    const double weight = gradient_weight(view.model, kernel, r);
+    std::size_t entry = 0;
+    for (int a = 0; a < D; ++a)
+      for (int b = a; b < D; ++b) moment[entry++] += weight * d[a] * d[b];
+  });
+  return smallest_eigenvalue<D>(moment);
+}
+
+template <int D>
+std::size_t Surface<D>::find(const View<D>& view, const WallCollision<D>& walls,
+                             const Field& surface_pressure, Field& lambda,
+                             AlignedVector<std::int32_t>& unknown, Field& pressure) {
+  fills_.resize(view.p.size());
+  view.for_each(
+      [&](std::size_t i) { fills_[i] = view.is_fluid(i) || is_wet(view, walls, i) ? 1 : 0; });
   with_kernel(view.model, [&](const auto& kernel) {
     view.for_each([&](std::size_t i) {
-      double sum = 0.0;
-      bool water = false;
-      view.for_each_neighbour(i, [&](std::size_t j, const Vec<D>&, double r) {
-        sum += gradient_weight(view.model, kernel, r) * r * r;
-        water = water || view.is_fluid(j);
-      });
-      share[i] = sum / D;
-      const bool solved = view.is_fluid(i) ? share[i] >= limit_ : water;
+      bool solved = false;
+      if (view.is_fluid(i)) {
+        lambda[i] = lambda_of(view, kernel, i);
+        solved = lambda[i] >= limit_;
+      } else {
+        lambda[i] = 1.0;
+        view.for_each_neighbour(
+            i, [&](std::size_t j, const Vec<D>&, double) { solved = solved || view.is_fluid(j); });
+      }
       unknown[i] = solved ? 0 : -1;
       if (!solved) pressure[i] = view.is_fluid(i) ? surface_pressure[i] : 0.0;
     });
@@ -75,7 +114,7 @@ void Surface<D>::update_pressure(const View<D>& view, double dt, const std::arra
   if (!half_spacing_) return;
   view.for_each_fluid([&](std::size_t i) {
     surface_pressure[i] = 0.0;
-    if (view.p.density[i] < detached_share) return;
+    if (view.p.density[i] < detached_lambda) return;
     const Vec<D> inward = normal(view, i);
     const double length = std::sqrt(squared_norm<D>(inward));
     if (length == 0.0) return;

@@ -57,6 +57,12 @@ class QuinticSpline {
     return T(slope_) * (fourth(a) - T(6.0) * fourth(b) + T(15.0) * fourth(c));
   }
 
+  /// (dW/dr) / r, 1/m^(D+2), r > 0: grad W = slope x
+  template <class T>
+  [[nodiscard]] T slope(T r) const {
+    return derivative(r) / r;
+  }
+
  private:
   template <class T>
   static T fourth(T a) {

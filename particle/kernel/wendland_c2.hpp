@@ -46,6 +46,17 @@ class WendlandC2 {
       return T(slope_) * q * a * a * a;
   }
 
+  /// (dW/dr) / r, 1/m^(D+2): grad W = slope x. Nothing is divided by r, which cancels.
+  template <class T>
+  [[nodiscard]] T slope(T r) const {
+    using std::max;
+    const T a = max(T(1.0) - T(0.5 * inverse_h_) * r, T(0.0));
+    if constexpr (D == 1)
+      return T(slope_ * inverse_h_) * a * a;
+    else
+      return T(slope_ * inverse_h_) * a * a * a;
+  }
+
  private:
   static constexpr double normalisation() {
     if constexpr (D == 1)

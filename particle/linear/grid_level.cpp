@@ -1,6 +1,7 @@
 #include "particle/linear/grid_level.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace surge::linear {
 
@@ -30,8 +31,11 @@ void GridLevel<D>::allocate() {
 
 template <int D>
 void GridLevel<D>::finish() {
+  // A particle that has only known pressures around, just beside the corner of a cell, leaves less
+  // at the opposite corner than a float holds, whose inverse would be infinite.
+  constexpr float least = std::numeric_limits<float>::min();
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
-    inverse_diagonal[i] = diagonal[i] > 0.0F ? 1.0F / diagonal[i] : 0.0F;
+    inverse_diagonal[i] = diagonal[i] >= least ? 1.0F / diagonal[i] : 0.0F;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particle/support/error.hpp"
+
 namespace surge::linear {
 
 namespace {
@@ -93,14 +95,16 @@ void correct(const GridLevel<D>& coarse, GridLevel<D>& fine) {
 
 }  // namespace
 
-// Every second node of each axis that is halved; fine nodes between two take the mean of both.
+// Every second node of each axis that is halved; fine nodes between two take the mean of both. An
+// axis keeps both its ends, or it is left as it is: what the grid does has no side.
 template <int D>
 bool GridMultigrid<D>::coarsen(GridLevel<D>& fine, GridLevel<D>& coarse) {
   typename GridIndex<D>::Coordinate extent = fine.index.extent();
   bool any = false;
   for (std::size_t a = 0; a < D; ++a) {
     // Colours need an even number of nodes around a wrapped axis.
-    fine.halved[a] = fine.index.wrapped()[a] ? extent[a] % 4 == 0 && extent[a] >= 8 : extent[a] > 2;
+    fine.halved[a] = fine.index.wrapped()[a] ? extent[a] % 4 == 0 && extent[a] >= 8
+                                             : extent[a] % 2 == 1 && extent[a] > 2;
     if (fine.halved[a]) extent[a] = fine.index.wrapped()[a] ? extent[a] / 2 : extent[a] / 2 + 1;
     any = any || fine.halved[a];
   }
@@ -226,6 +230,16 @@ void GridMultigrid<D>::build() {
   factorise_coarsest();
 }
 
+void factorise_shifted(Eigen::MatrixXd matrix, Eigen::LLT<Eigen::MatrixXd>& factor) {
+  constexpr double enough = 1e6;  // times the rows' sums: Cholesky cannot fail any more
+  for (double shift = 1e-6; shift < enough && matrix.allFinite(); shift *= 10.0) {
+    factor.compute(matrix);
+    if (factor.info() == Eigen::Success) return;
+    matrix.diagonal() *= 1.0 + shift;
+  }
+  throw Error("pressure: the coarsest grid of the multigrid is not positive definite");
+}
+
 template <int D>
 void GridMultigrid<D>::factorise_coarsest() {
   constexpr int stencil = GridLevel<D>::stencil;
@@ -233,39 +247,27 @@ void GridMultigrid<D>::factorise_coarsest() {
   const std::size_t n = level.diagonal.size();
   const float largest =
       n == 0 ? 0.0F : *std::max_element(level.diagonal.begin(), level.diagonal.end());
-  factor_.assign(n * n, 0.0);
+  const auto size = static_cast<Eigen::Index>(n);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
     const double d = static_cast<double>(level.diagonal[i]);
-    factor_[i * n + i] = d > 0.0 ? (1.0 + coarsest_shift) * d : static_cast<double>(largest);
-    for (std::size_t s = i * stencil; s < (i + 1) * stencil; ++s) {
-      const auto j = static_cast<std::size_t>(level.neighbour[s]);
-      factor_[i * n + j] += static_cast<double>(level.value[s]);
-    }
+    matrix(row, row) = d > 0.0 ? (1.0 + coarsest_shift) * d : static_cast<double>(largest);
+    for (std::size_t s = i * stencil; s < (i + 1) * stencil; ++s)
+      matrix(row, static_cast<Eigen::Index>(level.neighbour[s])) +=
+          static_cast<double>(level.value[s]);
   }
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = j; i < n; ++i) {
-      double sum = factor_[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= factor_[i * n + k] * factor_[j * n + k];
-      factor_[i * n + j] = i == j ? std::sqrt(sum) : sum / factor_[j * n + j];
-    }
-  }
+  factorise_shifted(matrix, factor_);
 }
 
 template <int D>
 void GridMultigrid<D>::solve_coarsest() {
   GridLevel<D>& level = levels_[static_cast<std::size_t>(count_ - 1)];
-  const std::size_t n = level.diagonal.size();
-  Field& x = coarsest_solution_;
-  x.assign(level.rhs.begin(), level.rhs.end());
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) x[i] -= factor_[i * n + k] * x[k];
-    x[i] /= factor_[i * n + i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) x[i] -= factor_[k * n + i] * x[k];
-    x[i] /= factor_[i * n + i];
-    level.solution[i] = static_cast<float>(x[i]);
-  }
+  const auto n = static_cast<Eigen::Index>(level.diagonal.size());
+  coarsest_solution_ =
+      Eigen::Map<const Eigen::VectorXf>(level.rhs.data(), n).template cast<double>();
+  factor_.solveInPlace(coarsest_solution_);
+  Eigen::Map<Eigen::VectorXf>(level.solution.data(), n) = coarsest_solution_.template cast<float>();
 }
 
 template <int D>

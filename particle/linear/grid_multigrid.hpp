@@ -1,10 +1,16 @@
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <vector>
 
 #include "particle/linear/grid_level.hpp"
 
 namespace surge::linear {
+
+/// Dense Cholesky factor of a matrix with positive diagonal that is positive definite but for
+/// rounding: its diagonal is enlarged by as little as makes it so, since a preconditioner need not
+/// be exact. Throws surge::Error for entries that are not finite, or where nothing helps.
+void factorise_shifted(Eigen::MatrixXd matrix, Eigen::LLT<Eigen::MatrixXd>& factor);
 
 /// A V-cycle on a hierarchy of nested grids with linear interpolation, Galerkin operators and one
 /// coloured Gauss-Seidel sweep before and, in reverse, after: a symmetric positive definite
@@ -28,8 +34,8 @@ class GridMultigrid {
 
   std::vector<GridLevel<D>> levels_ = std::vector<GridLevel<D>>(1);
   int count_ = 1;
-  Field factor_;  // dense Cholesky factor of the coarsest level, row by row
-  Field coarsest_solution_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;  ///< of the coarsest level
+  Eigen::VectorXd coarsest_solution_;
 };
 
 }  // namespace surge::linear

@@ -20,26 +20,14 @@ std::int32_t even_cells(double limit) {
   return cells;
 }
 
-/// kappa, m^2: sum w_ij (x_i - x_j)^2 / (D sum w_ij), from some of the rows.
-double mean_square_component(const PoissonSystem& system) {
-  const std::size_t stride = system.size() / 200 + 1;
-  double weights = 0.0;
-  double moment = 0.0;
-  for (std::size_t i = 0; i < system.size(); i += stride) {
-    const auto end = static_cast<std::size_t>(system.row_start[i + 1]);
-    for (auto k = static_cast<std::size_t>(system.row_start[i]); k < end; ++k) {
-      const auto j = static_cast<std::size_t>(system.column[k]);
-      const auto weight = -static_cast<double>(system.value[k]);
-      weights += weight;
-      for (std::size_t a = 0; a < static_cast<std::size_t>(system.dimension); ++a) {
-        double d = system.x[a][j] - system.x[a][i];
-        if (const double period = system.period[a]; period > 0.0)
-          d -= period * std::round(d / period);
-        moment += weight * d * d;
-      }
-    }
-  }
-  return weights > 0.0 ? moment / (system.dimension * weights) : 0.0;
+/// The least number m 2^k of at least `need` cells that halves down to m, so that both ends of the
+/// grid stay nodes on every level. (m + 1)^D nodes are few enough for the coarsest.
+template <int D>
+std::int64_t halvable_cells(std::int64_t need) {
+  constexpr std::int64_t most = D == 2 ? 7 : 3;
+  std::int64_t scale = 2;
+  while (most * scale < need) scale *= 2;
+  return (need + scale - 1) / scale * scale;
 }
 
 }  // namespace
@@ -61,8 +49,9 @@ void GridPreconditioner<D>::setup(const PoissonSystem& system, const Field& exce
   grid_.build();
 }
 
-// Cells are numbered within the box that the particles fill. A particle far away must not make
-// that box huge: then the grid is wrapped around, and cells far apart share their nodes.
+// Lines of the grid lie to both sides of the middle of the box that the particles fill, so that the
+// grid of a flow in a mirror is the grid in the mirror. A particle far away must not make that box
+// huge: then the grid is wrapped around, and cells far apart share their nodes.
 template <int D>
 void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) {
   constexpr double far = 1e9;
@@ -75,7 +64,7 @@ void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) 
       wrapped[a] = true;
       extent[a] = even_cells(system.period[a] / width);
       width_[a] = system.period[a] / static_cast<double>(extent[a]);
-      origin_[a] = 0;
+      middle_[a] = 0.5 * system.period[a];
       continue;
     }
     width_[a] = width;
@@ -86,10 +75,9 @@ void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) 
       low = std::min(low, system.x[a][static_cast<std::size_t>(i)]);
       high = std::max(high, system.x[a][static_cast<std::size_t>(i)]);
     }
-    const double first = std::clamp(std::floor(low / width), -far, far);
-    const double last = std::clamp(std::floor(high / width), -far, far);
-    origin_[a] = static_cast<std::int64_t>(first);
-    extent[a] = static_cast<std::int64_t>(last - first) + 1;
+    middle_[a] = 0.5 * (low + high);
+    const double need = std::min(std::floor((high - low) / width), far);
+    extent[a] = halvable_cells<D>(static_cast<std::int64_t>(need) + 1);
   }
   const auto volume = [&] {
     double product = 1.0;
@@ -128,11 +116,13 @@ void GridPreconditioner<D>::sort_into_cells(const PoissonSystem& system) {
   for (std::int32_t k = 0; k < count; ++k) {
     const auto i = static_cast<std::size_t>(k);
     for (std::size_t a = 0; a < D; ++a) {
-      const double x = system.x[a][i] / width_[a];
-      const double cell = std::floor(x);
+      const std::int32_t extent = cells_.extent()[a];
+      const double x = (system.x[a][i] - middle_[a]) / width_[a];
+      double cell = std::floor(x);
+      if (!cells_.wrapped()[a]) cell = std::clamp(cell, -0.5 * extent, 0.5 * extent - 1.0);
       place_[i][a] = static_cast<float>(x - cell);
-      const double inside = std::fmod(cell - static_cast<double>(origin_[a]),
-                                      static_cast<double>(cells_.extent()[a]));
+      double inside = std::fmod(cell + extent / 2, extent);
+      if (inside < 0.0) inside += extent;
       coordinate_[i][a] = static_cast<std::int32_t>(inside);
     }
   }
@@ -205,9 +195,11 @@ GridPreconditioner<D>::shape_gradient(std::int32_t particle) const {
   return gradient;
 }
 
+// A pair's share of a slope along an axis is laid to the cells by 6 f (1 - f), f being the place in
+// the cell along that axis: its mean is 1, and it vanishes on the faces, so that the operator does
+// not jump when a particle goes from cell to cell, or lies on a face to within rounding.
 template <int D>
 void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const Field& excess) {
-  const double kappa = mean_square_component(system);
   const auto cells = static_cast<std::int32_t>(cells_.points().size());
   element_.resize(cells_.points().size());
 #pragma omp parallel for schedule(static)
@@ -217,15 +209,19 @@ void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const 
     for (std::int32_t k = cell_start_[at]; k < cell_start_[at + 1]; ++k) {
       const std::int32_t particle = cell_particle_[static_cast<std::size_t>(k)];
       const auto i = static_cast<std::size_t>(particle);
-      const auto stiffness = static_cast<float>(0.5 * kappa * (system.diagonal[i] - excess[i]));
+      const auto stiffness =
+          static_cast<float>(0.5 * system.mean_square * (system.diagonal[i] - excess[i]));
       const auto mass = static_cast<float>(excess[i]);
       const std::array<float, corners> phi = shape(particle);
       const auto gradient = shape_gradient(particle);
+      std::array<float, D> share;
+      for (std::size_t a = 0; a < D; ++a)
+        share[a] = 6.0F * stiffness * place_[i][a] * (1.0F - place_[i][a]);
       for (std::size_t q = 0; q < corners; ++q) {
         for (std::size_t p = q; p < corners; ++p) {
           float product = 0.0F;
-          for (std::size_t a = 0; a < D; ++a) product += gradient[q][a] * gradient[p][a];
-          sum[q * corners + p] += stiffness * product + mass * phi[q] * phi[p];
+          for (std::size_t a = 0; a < D; ++a) product += share[a] * gradient[q][a] * gradient[p][a];
+          sum[q * corners + p] += product + mass * phi[q] * phi[p];
         }
       }
     }

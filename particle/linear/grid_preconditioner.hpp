@@ -17,11 +17,10 @@ namespace surge::linear {
 ///
 /// The grid's operator is not P^T A P. A pair of particles contributes w_ij (p_i - p_j)^2 to the
 /// energy of A; with p_i - p_j = (x_i - x_j) . grad p and neighbours on all sides this becomes
-/// 1/2 kappa sum_j w_ij |grad p|^2 at x_i, kappa the mean of one component of (x_i - x_j)^2 under
-/// the weights. So the grid couples nearest nodes only, and needs no pairs: the sum of w_ij is
-/// diagonal - excess. Neighbours with p = 0 add excess_i p_i^2.
-/// Additive Schwarz with a coarse space: B. F. Smith, P. E. Bjorstad & W. D. Gropp, Domain
-/// Decomposition, Cambridge, 1996. The combination is our own.
+/// 1/2 kappa sum_j w_ij |grad p|^2 at x_i, kappa = PoissonSystem::mean_square. So the grid couples
+/// nearest nodes only, and needs no pairs: the sum of w_ij is diagonal - excess. Neighbours with p
+/// = 0 add excess_i p_i^2. Additive Schwarz with a coarse space: B. F. Smith, P. E. Bjorstad & W.
+/// D. Gropp, Domain Decomposition, Cambridge, 1996. The combination is our own.
 template <int D>
 class GridPreconditioner {
  public:
@@ -44,8 +43,8 @@ class GridPreconditioner {
   [[nodiscard]] std::array<std::array<float, D>, corners> shape_gradient(  // 1/m
       std::int32_t particle) const;
 
-  std::array<double, D> width_{};         // m
-  std::array<std::int64_t, D> origin_{};  // lowest cell in use, counted from x = 0
+  std::array<double, D> width_{};   // m
+  std::array<double, D> middle_{};  // of the grid, m
   GridIndex<D> cells_;
   AlignedVector<std::int32_t> cell_of_;                        // [particle]
   AlignedVector<std::array<float, D>> place_;                  // [particle] in its cell, 0 to 1

@@ -27,7 +27,10 @@ struct PoissonSystem {
   Field rhs;
 
   int dimension = 2;
-  double spacing = 1.0;            ///< l0, m
+  double spacing = 1.0;  ///< l0, m
+  /// Mean of one component of (x_j - x_i)^2 under the weights of a full neighbourhood, m^2; only
+  /// the preconditioner goes by it.
+  double mean_square = 1.0;
   std::array<Field, 3> x;          ///< m, where the unknowns are; the first `dimension` are used
   std::array<double, 3> period{};  ///< m, length of the periodic axes, zero for the others
 

@@ -1,5 +1,6 @@
 #include "particle/linear/pressure_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -52,11 +53,15 @@ SolveReport run(GridPcg& method, const PoissonSystem& system, const Field& exces
 }
 
 void check(const PoissonSystem& system) {
-  for (std::size_t i = 0; i < system.size(); ++i) {
-    if (std::isfinite(system.rhs[i]) && std::isfinite(system.diagonal[i])) continue;
-    throw Error("pressure: equation " + std::to_string(i) +
-                " is not finite: particles coincide or flew off; a smaller step may help");
-  }
+  const auto n = static_cast<std::ptrdiff_t>(system.size());
+  std::ptrdiff_t first = n;
+#pragma omp parallel for schedule(static) reduction(min : first)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (!std::isfinite(system.rhs[i]) || !std::isfinite(system.diagonal[i]))
+      first = std::min(first, i);
+  if (first == n) return;
+  throw Error("pressure: equation " + std::to_string(first) +
+              " is not finite: particles coincide or flew off; a smaller step may help");
 }
 
 bool is_zero(const Field& field) {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "particle/core/neighbour_list.hpp"
+#include "particle/core/neighbour_lanes.hpp"
 
 namespace surge::mps {
 
@@ -24,17 +24,26 @@ class CollisionModel {
                          const Displacement<D>& displacement, const std::array<Field, D>& v,
                          Fixed&& fixed, double least, long& collisions) const {
     Vec<D> change{};
-    for (const std::uint32_t j : neighbours) {
-      const Vec<D> d = displacement(i, j);
-      const double r2 = squared_norm<D>(d);
-      if (r2 >= distance2_ || r2 == 0.0) continue;
-      double approach = 0.0;
-      for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
-      if (approach >= 0.0 || approach * approach < least * least * r2) continue;
-      const double share = fixed(j) ? 1.0 : 0.5;
-      for (int a = 0; a < D; ++a) change[a] += share * (1.0 + restitution_) * approach / r2 * d[a];
-      ++collisions;
-    }
+    for_each_lanes<D>(i, neighbours, displacement,
+                      [&](const LaneIndices& lanes, const std::array<Simd, D>& offset, Simd squares)
+                          SURGE_INLINE {
+                            if (stdx::none_of(squares < distance2_)) return;  // nearly always
+                            for (std::size_t k = 0; k < simd_width; ++k) {
+                              const double r2 = squares[k];
+                              if (r2 >= distance2_ || r2 == 0.0) continue;
+                              const std::size_t j = lanes[k];
+                              double approach = 0.0;
+                              for (int a = 0; a < D; ++a)
+                                approach += (v[a][j] - v[a][i]) * offset[a][k];
+                              if (approach >= 0.0 || approach * approach < least * least * r2)
+                                continue;
+                              const double share = fixed(j) ? 1.0 : 0.5;
+                              for (int a = 0; a < D; ++a)
+                                change[a] +=
+                                    share * (1.0 + restitution_) * approach / r2 * offset[a][k];
+                              ++collisions;
+                            }
+                          });
     return change;
   }
 

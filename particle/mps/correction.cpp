@@ -5,20 +5,15 @@
 namespace surge::mps {
 
 template <int D>
-void PressureCorrection<D>::find_minima(const View<D>& view) {
-  least_.resize(view.p.size());
-  view.for_each([&](std::size_t i) {
-    if (!view.has_pressure(i)) return;
-    least_[i] = neighbourhood_minimum<D>(
-        i, view.neighbours(i), view.displacement, view.model.re,
-        [&](std::size_t j) { return view.p.pressure[j]; },
-        [&](std::size_t j) { return view.has_pressure(j); });
-  });
+double PressureCorrection<D>::minimum(const View<D>& view, std::size_t i) {
+  return neighbourhood_minimum<D>(
+      i, view.neighbours(i), view.displacement, view.model.re,
+      [&](std::size_t j) { return view.p.pressure[j]; },
+      [&](std::size_t j) { return view.has_pressure(j); });
 }
 
 template <int D>
 void PressureCorrection<D>::find(const View<D>& view, double dt, std::array<Field, D>& correction) {
-  find_minima(view);
   const Model<D>& m = view.model;
   const auto pressure = [&](std::size_t j) { return view.p.pressure[j]; };
   const auto least = [&](std::size_t j) { return least_[j]; };
@@ -30,13 +25,17 @@ void PressureCorrection<D>::find(const View<D>& view, double dt, std::array<Fiel
     });
   };
   const auto plain = [&](std::size_t i) {
-    return gradient<D>(i, view.neighbours(i), view.displacement, m.re, m.n0, least_[i], pressure,
-                       counts);
+    return gradient<D>(i, view.neighbours(i), view.displacement, m.re, m.n0, minimum(view, i),
+                       pressure, counts);
   };
   switch (model_) {
     case GradientModel::minimum:
       return set_by(plain);
     case GradientModel::conserving:
+      least_.resize(view.p.size());
+      view.for_each([&](std::size_t i) {
+        if (view.has_pressure(i)) least_[i] = minimum(view, i);
+      });
       return set_by([&](std::size_t i) {
         return conserving_gradient<D>(i, view.neighbours(i), view.displacement, m.re, m.n0,
                                       pressure, least, counts);

@@ -17,10 +17,10 @@ class PressureCorrection {
   void find(const View<D>& view, double dt, std::array<Field, D>& correction);
 
  private:
-  void find_minima(const View<D>& view);
+  [[nodiscard]] static double minimum(const View<D>& view, std::size_t i);
 
   GradientModel model_;
-  Field least_;  ///< Pa, the neighbourhood minimum of Eq. (6)
+  Field least_;  ///< Pa, the neighbourhood minimum of Eq. (6), where the model sums it
 };
 
 }  // namespace surge::mps

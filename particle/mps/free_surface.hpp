@@ -18,12 +18,14 @@ inline bool on_free_surface(double n, double beta, double n0) {
 template <int D>
 double neighbour_offset(std::size_t i, std::span<const std::uint32_t> neighbours,
                         const Displacement<D>& displacement, double re, double n0, double l0) {
-  Vec<D> sum{};
-  for (const std::uint32_t j : neighbours) {
-    const Vec<D> d = displacement(i, j);
-    const double weight = mps_weight(std::sqrt(squared_norm<D>(d)), re);
-    for (int a = 0; a < D; ++a) sum[a] += weight * d[a];
-  }
+  std::array<Simd, D> sums{};
+  for_each_lanes<D>(i, neighbours, displacement,
+                    [&](const LaneIndices&, const std::array<Simd, D>& d, Simd r2) SURGE_INLINE {
+                      const Simd weight = mps_weights(r2, re);
+                      for (int a = 0; a < D; ++a) sums[a] += weight * d[a];
+                    });
+  Vec<D> sum;
+  for (int a = 0; a < D; ++a) sum[a] = stdx::reduce(sums[a]);
   return std::sqrt(squared_norm<D>(sum)) / (n0 * l0);
 }
 

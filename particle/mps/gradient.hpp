@@ -8,6 +8,24 @@
 
 namespace surge::mps {
 
+/// Adds weight d d^T to a symmetric matrix, row by row from the diagonal on.
+template <int D>
+SURGE_INLINE inline void add_moments(Simd weight, const std::array<Simd, D>& d,
+                                     std::array<Simd, D*(D + 1) / 2>& moments) {
+  std::size_t k = 0;
+  for (int a = 0; a < D; ++a)
+    for (int b = a; b < D; ++b) moments[k++] += weight * d[a] * d[b];
+}
+/// The matrix of the sums over lanes.
+template <int D>
+std::array<Vec<D>, D> symmetric(const std::array<Simd, D*(D + 1) / 2>& moments) {
+  std::array<Vec<D>, D> matrix;
+  std::size_t k = 0;
+  for (int a = 0; a < D; ++a)
+    for (int b = a; b < D; ++b) matrix[a][b] = matrix[b][a] = stdx::reduce(moments[k++]);
+  return matrix;
+}
+
 // Eq. (6)
 /// The least value of phi among i and those of its neighbours within re (m) that `counts` lets in
 /// (Koshizuka, Nobe & Oka 1998). w(0) does not vanish, so i itself is one of them.
@@ -63,17 +81,19 @@ template <int D, class Phi, class Counts>
 std::optional<Vec<D>> corrected_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
                                          const Displacement<D>& displacement, double re, double n0,
                                          double limit, Phi&& phi, Counts&& counts) {
-  using Matrix = std::array<Vec<D>, D>;
-  Matrix moment{};
-  Vec<D> sum{};
-  for_each_within<D>(i, neighbours, displacement, re, counts,
-                     [&](std::size_t j, const Vec<D>& d, double r2) {
-                       const double weight = mps_weight(std::sqrt(r2), re) / r2;
-                       for (int a = 0; a < D; ++a) {
-                         sum[a] += weight * (phi(j) - phi(i)) * d[a];
-                         for (int b = 0; b < D; ++b) moment[a][b] += weight * d[a] * d[b];
-                       }
-                     });
+  std::array<Simd, D*(D + 1) / 2> moments{};
+  std::array<Simd, D> sums{};
+  const double own = phi(i);
+  for_each_lanes_within<D>(
+      i, neighbours, displacement, re, counts,
+      [&](const LaneIndices& j, const std::array<Simd, D>& d, Simd, Simd weight) SURGE_INLINE {
+        const Simd change = weight * (lanes_of(j, phi) - own);
+        for (int a = 0; a < D; ++a) sums[a] += change * d[a];
+        add_moments<D>(weight, d, moments);
+      });
+  const auto moment = symmetric<D>(moments);
+  Vec<D> sum;
+  for (int a = 0; a < D; ++a) sum[a] = stdx::reduce(sums[a]);
   return solve_spd(moment, sum, limit * n0 / D);
 }
 

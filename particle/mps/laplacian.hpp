@@ -61,14 +61,16 @@ template <int D, class Counts>
 Vec<D> deformation_sum(std::size_t i, std::span<const std::uint32_t> neighbours,
                        const Displacement<D>& displacement, double re,
                        const std::array<Field, D>& v, Counts&& counts) {
-  Vec<D> sum{};
-  for_each_within<D>(
-      i, neighbours, displacement, re, counts, [&](std::size_t j, const Vec<D>& d, double r2) {
-        double approach = 0.0;
-        for (int a = 0; a < D; ++a) approach += (v[a][j] - v[a][i]) * d[a];
-        const double factor = (D + 2) * approach / r2 * mps_weight(std::sqrt(r2), re);
-        for (int a = 0; a < D; ++a) sum[a] += factor * d[a];
+  std::array<Simd, D> sums{};
+  for_each_lanes_within<D>(
+      i, neighbours, displacement, re, counts,
+      [&](const LaneIndices& j, const std::array<Simd, D>& d, Simd, Simd weight) SURGE_INLINE {
+        Simd approach = 0.0;
+        for (int a = 0; a < D; ++a) approach += (pick(v[a], j) - v[a][i]) * d[a];
+        for (int a = 0; a < D; ++a) sums[a] += weight * approach * d[a];
       });
+  Vec<D> sum;
+  for (int a = 0; a < D; ++a) sum[a] = (D + 2) * stdx::reduce(sums[a]);
   return sum;
 }
 

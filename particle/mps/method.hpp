@@ -10,11 +10,10 @@
 #include "particle/case/case_checks.hpp"
 #include "particle/core/particle_count.hpp"
 #include "particle/core/radial_function.hpp"
-#include "particle/core/time_step.hpp"
 #include "particle/kernel/mps_weight.hpp"
-#include "particle/mps/laplacian.hpp"
 #include "particle/mps/options.hpp"
 #include "particle/mps/solver.hpp"
+#include "particle/mps/stability.hpp"
 #include "particle/support/options.hpp"
 
 namespace surge::mps {
@@ -43,12 +42,10 @@ struct Method {
   static int wall_layers(const Params& p) { return mps::wall_layers(p); }
   /// The step (s) that Solver::stable_step() takes when the fastest particle has this speed (m/s).
   static double step_limit(const Case& c, const Params& p, double speed) {
-    const double nu = std::max(c.kinematic_viscosity, p.numerical_viscosity * c.spacing * speed);
-    const double lambda = c.dimension == 2
-                              ? laplacian_lambda<2>(Lambda::lattice, p.re_laplacian, c.spacing)
-                              : laplacian_lambda<3>(Lambda::lattice, p.re_laplacian, c.spacing);
-    return std::min(courant_step(c.time, c.spacing, speed),
-                    viscous_step(0.25 / (c.dimension + 2), std::sqrt(lambda), nu));
+    double gravity = 0.0;
+    for (std::size_t a = 0; a < 3; ++a)
+      if (!c.has_tank || !c.tank.periodic[a]) gravity += c.gravity[a] * c.gravity[a];
+    return StepLimits(c, p)(speed, std::sqrt(gravity));
   }
 
   /// Bytes, fitted to measured runs: what each particle holds, and the neighbour list and pressure

@@ -4,20 +4,30 @@
 #include <cstdint>
 #include <span>
 
+#include "particle/core/neighbour_lanes.hpp"
 #include "particle/core/neighbour_list.hpp"
 #include "particle/kernel/mps_weight.hpp"
 
 namespace surge::mps {
+
+/// mps_weight() of whole vectors of squared distances, m^2; zero for a particle and itself.
+SURGE_INLINE inline Simd mps_weights(Simd r2, double re) {
+  const Simd r = root(r2);
+  Simd weight = re / r - 1.0;
+  stdx::where(r >= re || r2 == 0.0, weight) = 0.0;
+  return weight;
+}
 
 // Eq. (4)
 /// Particle number density <n>_i = sum_{j != i} w(|x_j - x_i|), dimensionless; re in m.
 template <int D>
 double number_density(std::size_t i, std::span<const std::uint32_t> neighbours,
                       const Displacement<D>& displacement, double re) {
-  double n = 0.0;
-  for (const std::uint32_t j : neighbours)
-    n += mps_weight(std::sqrt(squared_norm<D>(displacement(i, j))), re);
-  return n;
+  Simd n = 0.0;
+  for_each_lanes<D>(i, neighbours, displacement,
+                    [&](const LaneIndices&, const std::array<Simd, D>&, Simd r2)
+                        SURGE_INLINE { n += mps_weights(r2, re); });
+  return stdx::reduce(n);
 }
 
 /// Calls f(j, x_j - x_i, r^2) for the neighbours within re (m) that `counts` lets in: what the
@@ -32,6 +42,24 @@ void for_each_within(std::size_t i, std::span<const std::uint32_t> neighbours,
     if (r2 >= re * re || r2 == 0.0) continue;
     f(j, d, r2);
   }
+}
+
+/// The same for whole vectors of neighbours: f(j, x_j - x_i, r^2, w/r^2), the last being zero in
+/// lanes that do not count. The sums differ from those one by one by rounding.
+template <int D, class Counts, class F>
+SURGE_INLINE inline void for_each_lanes_within(std::size_t i,
+                                               std::span<const std::uint32_t> neighbours,
+                                               const Displacement<D>& displacement, double re,
+                                               Counts&& counts, F&& f) {
+  for_each_lanes<D>(i, neighbours, displacement,
+                    [&](const LaneIndices& j, const std::array<Simd, D>& d, Simd r2) SURGE_INLINE {
+                      const Simd r = root(r2);
+                      const Simd inverse = 1.0 / r;
+                      Simd weight = (re * inverse - 1.0) * inverse * inverse;
+                      stdx::where(r >= re || r2 == 0.0, weight) = 0.0;
+                      stdx::where(lanes_of(j, counts) == 0.0, weight) = 0.0;
+                      f(j, d, r2, weight);
+                    });
 }
 
 /// Sum of f(r) over the points of the infinite square (cubic) lattice of unit spacing with

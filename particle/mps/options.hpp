@@ -56,6 +56,10 @@ template <class P, class Visitor>
 requires std::same_as<std::remove_const_t<P>, Params>
 void visit_options(P& p, Visitor&& option) {
   constexpr Bounds any;
+  option(
+      "courant_factor", p.courant_factor, Bounds::closed(0.0, 10.0),
+      "steps are longer than time.courant says by this factor, where collisions, shifting and free "
+      "fall allow it; 0: Eq. (25) as it stands");
   option("re_gradient", p.re_gradient, Bounds::above_to(1.0, 20.0),
          "radius of number density, gradient and free surface, in l0");
   option("re_laplacian", p.re_laplacian, Bounds::above_to(1.0, 20.0),

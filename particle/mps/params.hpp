@@ -63,6 +63,8 @@ enum class PositionUpdate {
 
 /// Choices of the MPS method. Lengths are in units of the particle spacing l0.
 struct Params {
+  double courant_factor =
+      0.0;  ///< on the case's Courant number, with the limits of StepLimits; 0: Eq. (25) alone
   double re_gradient = 2.1;   ///< number density, gradient and free surface
   double re_laplacian = 4.0;  ///< Laplacian
   Lambda lambda = Lambda::paper;

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "particle/core/balanced_loop.hpp"
+#include "particle/core/neighbour_lanes.hpp"
 #include "particle/core/neighbour_list.hpp"
+#include "particle/core/prefix_sums.hpp"
 #include "particle/kernel/mps_weight.hpp"
 #include "particle/linear/poisson_system.hpp"
+#include "particle/mps/laplacian.hpp"
 
 namespace surge::mps {
 
@@ -27,19 +30,28 @@ class PoissonAssembly {
       : re_(re), factor_(factor), walls_couple_(walls_couple) {
     system_.dimension = D;
     system_.spacing = spacing;
+    system_.mean_square = laplacian_lambda<D>(Lambda::lattice, re / spacing, spacing) / D;
   }
 
-  /// Fills rows, coordinates and diagonal. The right side is left to the caller (rhs[unknown[i]]).
+  /// Fills rows, coordinates and diagonal. The right side (rhs[unknown[i]]) gets what the known
+  /// pressures of neighbours and an even slope (Pa/m) that is left out of the unknowns add to it,
+  ///   sum_j w [p_j - slope . (x_j - x_i)];
+  /// sources are the caller's to add.
   const linear::PoissonSystem& assemble(const Particles<D>& p, const NeighbourList<D>& list,
                                         const Displacement<D>& displacement,
                                         const AlignedVector<std::int32_t>& unknown,
-                                        std::size_t unknowns);
+                                        std::size_t unknowns, const Vec<D>& slope = {});
 
   [[nodiscard]] linear::PoissonSystem& system() { return system_; }
 
   /// What a pair of neighbours at the distance r (m) adds to the equations, 1/m^2, as it is stored.
   [[nodiscard]] float coupling(double r) const {
     return static_cast<float>(factor_ * mps_weight(r, re_));
+  }
+
+  /// The same for whole vectors of squared distances, m^2; zero for a particle and itself.
+  [[nodiscard]] Simd coupling(Simd r2) const {
+    return in_single_precision(factor_ * mps_weights(r2, re_));
   }
 
   /// Whether two neighbours have an entry in the equations.
@@ -54,6 +66,7 @@ class PoissonAssembly {
   bool walls_couple_;
   linear::PoissonSystem system_;
   BalancedLoop loop_;
+  PrefixSums prefix_sums_;
 };
 
 }  // namespace surge::mps

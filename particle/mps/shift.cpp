@@ -11,29 +11,31 @@ namespace surge::mps {
 template <int D>
 void Shift<D>::find(const View<D>& view, Surface<D>& surface, double v_max, double dt,
                     std::array<Field, D>& v, std::array<Field, D>& shift_velocity) {
-  const Particles<D>& p = view.p;
-  surface.find_concentration_gradient(view);
-  for (Field& field : carried_) field.resize(p.size());
+  const std::size_t n = view.p.size();
+  speed_.resize(n);
+  for (auto& row : gradient_)
+    for (Field& field : row) field.resize(n);
+  surface.set_concentration_gradient(view, [&](std::size_t i) { return look_around(view, i); });
   view.for_each_fluid([&](std::size_t i) {
     const Vec<D> s = shift_of(view, surface, i, v_max, dt);
-    const auto gradient = velocity_gradient<D>(
-        i, view.neighbours(i), view.displacement, view.model.re, view.model.n0, trusted_pivot,
-        [&](std::size_t j) {
-          Vec<D> relative = p.velocity(j);
-          for (int a = 0; a < D; ++a) relative[a] -= p.v[a][i];
-          return relative;
-        },
-        [&](std::size_t j) { return view.is_fluid(j); });
     for (int a = 0; a < D; ++a) {
       shift_velocity[a][i] = s[a] / dt;
-      carried_[a][i] = 0.0;
-      if (!gradient) continue;
-      for (int b = 0; b < D; ++b) carried_[a][i] += (*gradient)[a][b] * s[b];
+      for (int b = 0; b < D; ++b) v[a][i] += gradient_[a][b][i] * s[b];
     }
   });
-  view.for_each_fluid([&](std::size_t i) {
-    for (int a = 0; a < D; ++a) v[a][i] += carried_[a][i];
-  });
+}
+
+template <int D>
+Vec<D> Shift<D>::look_around(const View<D>& view, std::size_t i) {
+  const Model<D>& m = view.model;
+  const Surroundings<D> found =
+      surroundings<D>(i, view.neighbours(i), view.displacement, m.re, m.n0, trusted_pivot, view.p.v,
+                      [&](std::size_t j) { return view.is_fluid(j); });
+  for (int a = 0; a < D; ++a)
+    for (int b = 0; b < D; ++b)
+      gradient_[a][b][i] = found.velocity_gradient ? (*found.velocity_gradient)[a][b] : 0.0;
+  speed_[i] = found.relative_speed;
+  return found.concentration_gradient;
 }
 
 /// m
@@ -44,9 +46,7 @@ Vec<D> Shift<D>::shift_of(const View<D>& view, const Surface<D>& surface, std::s
   if (is_detached(view, i)) return {};
   Vec<D> s = shift<D>(surface.concentration_gradient(i), surface.normal(view, i), share_,
                       view.model.spacing, v_max * dt);
-  const double limit =
-      dt * relative_speed<D>(i, view.neighbours(i), view.displacement, view.model.re, view.p.v,
-                             [&](std::size_t j) { return view.is_fluid(j); });
+  const double limit = dt * speed_[i];
   const double length = std::sqrt(squared_norm<D>(s));
   if (length > limit)
     for (double& component : s) component *= limit / length;

@@ -18,11 +18,14 @@ class Shift {
             std::array<Field, D>& v, std::array<Field, D>& shift_velocity);
 
  private:
+  /// Gives the gradient of the concentration and keeps the rest of surroundings().
+  Vec<D> look_around(const View<D>& view, std::size_t i);
   [[nodiscard]] Vec<D> shift_of(const View<D>& view, const Surface<D>& surface, std::size_t i,
                                 double v_max, double dt) const;
 
   double share_;
-  std::array<Field, D> carried_;  ///< m/s
+  Field speed_;                                   ///< the fastest shift, m/s
+  std::array<std::array<Field, D>, D> gradient_;  ///< of the velocity, row by component, 1/s
 };
 
 }  // namespace surge::mps

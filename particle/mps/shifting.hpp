@@ -11,9 +11,15 @@ namespace surge::mps {
 template <int D>
 Vec<D> concentration_gradient(std::size_t i, std::span<const std::uint32_t> neighbours,
                               const Displacement<D>& displacement, double re, double n0) {
-  return gradient<D>(
-      i, neighbours, displacement, re, n0, 0.0, [](std::size_t) { return 1.0; },
-      [](std::size_t) { return true; });
+  std::array<Simd, D> sums{};
+  for_each_lanes_within<D>(
+      i, neighbours, displacement, re, [](std::size_t) { return true; },
+      [&](const LaneIndices&, const std::array<Simd, D>& d, Simd, Simd weight) SURGE_INLINE {
+        for (int a = 0; a < D; ++a) sums[a] += weight * d[a];
+      });
+  Vec<D> sum;
+  for (int a = 0; a < D; ++a) sum[a] = D / n0 * stdx::reduce(sums[a]);
+  return sum;
 }
 
 /// Particle shifting by Fick's law (Lind, Xu, Stansby & Rogers 2012, J. Comput. Phys. 231), with
@@ -31,22 +37,52 @@ Vec<D> shift(const Vec<D>& concentration_gradient, const Vec<D>& normal, double 
   return without_part_along(s, normal);
 }
 
-/// Root mean square of the velocities of the fluid around a particle relative to it, m/s, weighted
-/// by w. A shift is no faster: what moves as a whole is not rearranged.
+/// What a shift asks of the neighbours, by one pass over them.
+template <int D>
+struct Surroundings {
+  Vec<D> concentration_gradient;  ///< of all, 1/m
+  /// Of the fluid, see velocity_gradient(): empty where it can't be trusted.
+  std::optional<std::array<Vec<D>, D>> velocity_gradient;
+  /// Root mean square of the velocities of the fluid around relative to the particle, weighted by
+  /// w, m/s. A shift is no faster: what moves as a whole is not rearranged.
+  double relative_speed;
+};
+
+/// v: m/s; counts(j): whether j is of the fluid. re in m.
 template <int D, class Counts>
-double relative_speed(std::size_t i, std::span<const std::uint32_t> neighbours,
-                      const Displacement<D>& displacement, double re, const std::array<Field, D>& v,
-                      Counts&& counts) {
-  double sum = 0.0;
-  double weights = 0.0;
-  for_each_within<D>(i, neighbours, displacement, re, counts,
-                     [&](std::size_t j, const Vec<D>&, double r2) {
-                       const double weight = mps_weight(std::sqrt(r2), re);
-                       weights += weight;
-                       for (int a = 0; a < D; ++a)
-                         sum += weight * (v[a][j] - v[a][i]) * (v[a][j] - v[a][i]);
-                     });
-  return weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+Surroundings<D> surroundings(std::size_t i, std::span<const std::uint32_t> neighbours,
+                             const Displacement<D>& displacement, double re, double n0,
+                             double limit, const std::array<Field, D>& v, Counts&& counts) {
+  std::array<Simd, D> concentration{};
+  std::array<Simd, D*(D + 1) / 2> moments{};
+  std::array<std::array<Simd, D>, D> sums{};
+  Simd squares = 0.0;
+  Simd weights = 0.0;
+  for_each_lanes_within<D>(
+      i, neighbours, displacement, re, [](std::size_t) { return true; },
+      [&](const LaneIndices& j, const std::array<Simd, D>& d, Simd r2, Simd weight) SURGE_INLINE {
+        for (int a = 0; a < D; ++a) concentration[a] += weight * d[a];
+        weight *= lanes_of(j, [&](std::size_t k) { return counts(k) ? 1.0 : 0.0; });
+        add_moments<D>(weight, d, moments);
+        weights += weight * r2;
+        Simd square = 0.0;
+        for (int a = 0; a < D; ++a) {
+          const Simd relative = pick(v[a], j) - v[a][i];
+          square += relative * relative;
+          for (int b = 0; b < D; ++b) sums[a][b] += weight * relative * d[b];
+        }
+        squares += weight * r2 * square;
+      });
+  Surroundings<D> found;
+  std::array<Vec<D>, D> rows;
+  for (int a = 0; a < D; ++a) {
+    found.concentration_gradient[a] = D / n0 * stdx::reduce(concentration[a]);
+    for (int b = 0; b < D; ++b) rows[a][b] = stdx::reduce(sums[a][b]);
+  }
+  found.velocity_gradient = solve_spd(symmetric<D>(moments), rows, limit * n0 / D);
+  const double all = stdx::reduce(weights);
+  found.relative_speed = all > 0.0 ? std::sqrt(stdx::reduce(squares) / all) : 0.0;
+  return found;
 }
 
 }  // namespace surge::mps

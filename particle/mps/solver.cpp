@@ -8,7 +8,6 @@
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/move_fluid.hpp"
-#include "particle/core/time_step.hpp"
 #include "particle/core/wall_normals.hpp"
 #include "particle/mps/number_density.hpp"
 #include "particle/support/bounds.hpp"
@@ -44,13 +43,15 @@ template <int D>
 Solver<D>::Solver(const Case& c, const Params& params, Search search)
     : Solver(c, params, search, initial_state<D>(c, params)) {
   const auto scope = clock_.measure(Phase::setup);
+  list_neighbours(true);  // walls that no water ever meets keep this number density
   compute_number_density();
 }
 
 template <int D>
 Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> state)
     : params_(params),
-      control_(c.time),
+      initial_step_(c.time.initial_step),
+      limits_(c, params),
       model_(c, params),
       s_(std::move(state)),
       body_force_(c),
@@ -62,6 +63,8 @@ Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> s
       source_(params, smooth_normals<D>(c, params, model_)),
       pressure_correction_(params.gradient),
       shift_(params.shifting),
+      dry_walls_count_(params.wall_coupling == WallCoupling::all || !movers_.empty() ||
+                       search == Search::all_pairs),
       grid_(search, periodicity_of<D>(c)),
       periodicity_(periodicity_of<D>(c)),
       assembly_(model_.re_laplacian, model_.laplacian_factor, c.spacing,
@@ -91,10 +94,10 @@ Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> s
 
 template <int D>
 double Solver<D>::stable_step() const {
-  double dt = std::min(courant_step(control_, model_.spacing, s_.v_max),
-                       viscous_step(0.25 / (D + 2), std::sqrt(model_.viscous_lambda), viscosity()));
-  if (!movers_.empty()) dt = movers_.step_limit(s_.time, dt, control_.courant * model_.spacing);
-  return s_.steps == 0 ? std::min(dt, control_.initial_step) : dt;
+  const Vec<D> g = body_force_.still(body_force_.at(s_.time, s_.time, s_.time)).uniform;
+  double dt = limits_(s_.v_max, std::sqrt(squared_norm<D>(g)));
+  if (!movers_.empty()) dt = movers_.step_limit(s_.time, dt, limits_.courant() * model_.spacing);
+  return s_.steps == 0 ? std::min(dt, initial_step_) : dt;
 }
 
 template <int D>
@@ -105,8 +108,8 @@ StepReport Solver<D>::step(double dt_limit) {
   if (!movers_.empty()) place_moving_walls(dt);  // if moving_walls
   move(dt, s_.p.v, report);
   walls_.move_walls(s_.time + dt, s_.time + dt);
-  find_neighbours();
   collide(dt, report);
+  find_neighbours();
   compute_number_density();
   find_free_surface();
   solve_pressure(dt, report);
@@ -125,7 +128,8 @@ void Solver<D>::apply_body_forces(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   Particles<D>& p = s_.p;
   for (int a = 0; a < D; ++a) old_velocity_[a].assign(p.v[a].begin(), p.v[a].end());
-  if (viscosity() > 0.0) viscosity_.add(view(), viscosity(), dt, p.v);
+  const double nu = limits_.viscosity(s_.v_max);
+  if (nu > 0.0) viscosity_.add(view(), nu, dt, p.v);
   const BodyAcceleration<D> g = body_acceleration(dt);
   if (!g.turns) {
     view().for_each_fluid([&](std::size_t i) {
@@ -165,14 +169,52 @@ void Solver<D>::find_neighbours() {
     if (!movers_.empty()) grid_.reorder(wall_acceleration_[a]);
   }
   for (int a = 0; a < D; ++a) s_.found_x[a].assign(s_.p.x[a].begin(), s_.p.x[a].end());
+  list_neighbours(dry_walls_count_);
+}
+
+template <int D>
+void Solver<D>::list_neighbours(bool of_dry_walls) {
   // Only the viscous term asks who is near a dummy.
   const bool all = model_.no_slip;
-  list_.build(grid_, s_.p.x, model_.re_laplacian,
-              [&](std::size_t i) { return all || s_.p.type[i] != ParticleType::dummy; });
+  const auto wanted = [&](std::size_t i) { return all || s_.p.type[i] != ParticleType::dummy; };
+  if (of_dry_walls) {
+    list_.build(grid_, s_.p.x, model_.re_laplacian, wanted);
+    return;
+  }
+  fluid_before_.resize(s_.p.size() + 1);
+  prefix_sums_(
+      s_.p.size(), [&](std::size_t i) { return s_.p.type[i] == ParticleType::fluid ? 1 : 0; },
+      fluid_before_.data());
+  const auto near_fluid = [&](std::size_t cell) {
+    bool found = false;
+    grid_.for_each_segment(cell, [&](const auto& s) {
+      found = found || fluid_before_[s.end] > fluid_before_[s.begin];
+    });
+    return found;
+  };
+  list_.build(grid_, s_.p.x, model_.re_laplacian, near_fluid, wanted);
+}
+
+/// Whether two particles that are now within `reach` (m) of each other were so near when neighbours
+/// were last listed that each is in the list of the other.
+template <int D>
+bool Solver<D>::lists_all_within(double reach) const {
+  double furthest2 = 0.0;
+  const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
+#pragma omp parallel for schedule(static, stretch) reduction(max : furthest2)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    double square = 0.0;
+    for (int a = 0; a < D; ++a) square += std::pow(s_.p.x[a][i] - s_.found_x[a][i], 2);
+    furthest2 = std::max(furthest2, square);
+  }
+  return reach + 2.0 * std::sqrt(furthest2) < model_.re_laplacian;
 }
 
 template <int D>
 void Solver<D>::collide(double dt, StepReport& report) {
+  // Who meets now was near in the step before: the list made there tells, and what the collisions
+  // move needs no second one.
+  if (!lists_all_within(params_.collision_distance * model_.spacing)) find_neighbours();
   std::atomic<long> collisions = 0;
   {
     const auto scope = clock_.measure(Phase::forces);
@@ -192,7 +234,6 @@ void Solver<D>::collide(double dt, StepReport& report) {
   }
   report.particle_collisions = collisions;
   move(dt, correction_, report);
-  find_neighbours();
 }
 
 template <int D>
@@ -200,7 +241,9 @@ void Solver<D>::compute_number_density() {
   const auto scope = clock_.measure(Phase::pressure);
   const View<D> now = view();
   now.for_each([&](std::size_t i) {
-    if (now.has_pressure(i))
+    // A wall without a list has no water near it: what stands there was found without any.
+    const bool dry = !now.is_fluid(i) && list_.of(i).empty();
+    if (now.has_pressure(i) && !dry)
       s_.p.density[i] = number_density<D>(i, list_.of(i), now.displacement, model_.re);
   });
 }
@@ -215,10 +258,11 @@ template <int D>
 void Solver<D>::solve_pressure(double dt, StepReport& report) {
   const auto scope = clock_.measure(Phase::pressure);
   const View<D> now = view();
-  assembly_.assemble(s_.p, list_, now.displacement, unknown_, unknowns_);
+  const BodyAcceleration<D> still = body_force_.still(body_acceleration(dt));
+  assembly_.assemble(s_.p, list_, now.displacement, unknown_, unknowns_,
+                     source_.even_slope(model_.rho, still, wall_acceleration_));
   linear::PoissonSystem& system = assembly_.system();
-  source_.fill(now, assembly_, body_force_.still(body_acceleration(dt)), wall_acceleration_, dt,
-               system.rhs);
+  source_.fill(now, assembly_, still, wall_acceleration_, dt, system.rhs);
   unknown_pressure_.resize(unknowns_);
   now.for_each([&](std::size_t i) {
     if (unknown_[i] >= 0)

@@ -7,6 +7,7 @@
 #include "particle/core/clock.hpp"
 #include "particle/core/moving_walls.hpp"
 #include "particle/core/neighbour_list.hpp"
+#include "particle/core/prefix_sums.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/wall_collision.hpp"
 #include "particle/linear/pressure_solver.hpp"
@@ -17,6 +18,7 @@
 #include "particle/mps/pressure_poisson.hpp"
 #include "particle/mps/shift.hpp"
 #include "particle/mps/source.hpp"
+#include "particle/mps/stability.hpp"
 #include "particle/mps/state.hpp"
 #include "particle/mps/surface.hpp"
 #include "particle/mps/view.hpp"
@@ -37,7 +39,7 @@ class Solver {
   /// Advances by stable_step() or dt_limit (s), whichever is shorter.
   StepReport step(double dt_limit);
   /// Time step, Eq. (25).
-  /// Not above the limit of the explicit viscous term, nor that of a moving wall.
+  /// Not above the limits of StepLimits, nor that of a moving wall.
   [[nodiscard]] double stable_step() const;
 
   [[nodiscard]] double time() const { return s_.time; }
@@ -61,10 +63,11 @@ class Solver {
   /// Temporal positions, held back at walls.
   /// x += dt velocity for the fluid.
   void move(double dt, const std::array<Field, D>& velocity, StepReport& report);
-  /// Neighbours of each particle.
-  void find_neighbours();
   /// Collisions between particles.
   void collide(double dt, StepReport& report);
+  /// Neighbours of each particle.
+  /// But of walls that no water is near, where no term asks for them.
+  void find_neighbours();
   /// Particle number density, Eq. (4).
   void compute_number_density();
   /// Free surface, where p = 0, Eq. (14).
@@ -78,20 +81,19 @@ class Solver {
   /// Fastest particle.
   void measure_speed(StepReport& report);
 
+  void list_neighbours(bool of_dry_walls);
+  [[nodiscard]] bool lists_all_within(double reach) const;
   void take_pressures(StepReport& report);
   [[nodiscard]] BodyAcceleration<D> body_acceleration(double dt) const {
     return body_force_.at(s_.time + 0.5 * dt, s_.time, s_.time + dt);
-  }
-  /// Kinematic viscosity, numerical or not, m2/s.
-  [[nodiscard]] double viscosity() const {
-    return std::max(model_.nu, params_.numerical_viscosity * model_.spacing * s_.v_max);
   }
   [[nodiscard]] View<D> view() {
     return {model_, s_.p, list_, unknown_, Displacement<D>(s_.p.x, periodicity_), loop_};
   }
 
   Params params_;
-  TimeControl control_;
+  double initial_step_;  ///< s
+  StepLimits limits_;
   Model<D> model_;
   State<D> s_;
   BodyForce<D> body_force_;
@@ -113,6 +115,9 @@ class Solver {
   std::size_t unknowns_ = 0;
   Field unknown_pressure_;
 
+  bool dry_walls_count_;  ///< in the pressure equation, or because they come nearer
+  PrefixSums prefix_sums_;
+  std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
   CellGrid<D> grid_;
   Periodicity<D> periodicity_;
   NeighbourList<D> list_;

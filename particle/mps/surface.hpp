@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/core/prefix_sums.hpp"
 #include "particle/mps/params.hpp"
 #include "particle/mps/view.hpp"
 
@@ -16,21 +17,31 @@ class Surface {
   /// where it is on, the offset of the neighbours say; with WallCoupling::fluid a wall is so just
   /// where it touches no fluid.
   std::size_t find(const View<D>& view, const Field& surface_pressure,
-                   AlignedVector<std::int32_t>& unknown, Field& pressure) const;
+                   AlignedVector<std::int32_t>& unknown, Field& pressure);
 
   /// The pressure in the middle of the surface's layer (Pa) by this step's velocity correction
   /// v' = -dt/rho grad p (m/s), for the next step. Nothing where p = 0 in the particles' centres.
   void update_pressure(const View<D>& view, double dt, const std::array<Field, D>& correction,
                        Field& surface_pressure);
 
-  /// For the fluid; what normal() and concentration_gradient() go by.
-  void find_concentration_gradient(const View<D>& view);
+  /// What normal() and concentration_gradient() go by, from what find(i) gives, 1/m.
+  template <class Find>
+  void set_concentration_gradient(const View<D>& view, const Find& find) {
+    for (Field& field : concentration_gradient_) field.resize(view.p.size());
+    view.for_each_fluid([&](std::size_t i) {
+      const Vec<D> g = find(i);
+      for (int a = 0; a < D; ++a) concentration_gradient_[a][i] = g[a];
+    });
+  }
   [[nodiscard]] Vec<D> concentration_gradient(std::size_t i) const;
   /// Mean of the concentration's gradient over the surface particles around: along the normal of
   /// the surface, inwards, and smoother than that of one of them. Zero where there is no surface.
   [[nodiscard]] Vec<D> normal(const View<D>& view, std::size_t i) const;
 
  private:
+  void mark_neighbours(const View<D>& view);
+  /// Of the surface particles alone.
+  void find_concentration_gradient(const View<D>& view);
   [[nodiscard]] bool is_on_surface(const View<D>& view, std::size_t i) const;
 
   double beta_;
@@ -38,6 +49,9 @@ class Surface {
   bool half_spacing_;
   bool walls_by_fluid_;
   std::array<Field, D> concentration_gradient_;  ///< 1/m
+  AlignedVector<char> near_;  ///< whether a particle, or one in its list, is fluid on the surface
+  PrefixSums prefix_sums_;
+  AlignedVector<std::int32_t> solved_before_;  ///< unknowns before each particle
 };
 
 /// Whether a particle belongs to spray, a tip or an edge: what is outside of it is not a layer.

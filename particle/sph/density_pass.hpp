@@ -1,7 +1,6 @@
 #pragma once
 
 #include "particle/core/body_force.hpp"
-#include "particle/core/symmetric_pair_loop.hpp"
 #include "particle/sph/params.hpp"
 #include "particle/sph/view.hpp"
 
@@ -14,23 +13,20 @@ class DensityPass {
  public:
   explicit DensityPass(const Params& params);
 
-  /// rate: kg/m3/s; xsph: m/s. `still`: what the hydrostatic part of a density difference balances.
+  /// rate: kg/m3/s; xsph: m/s, left alone where XSPH is off. `still`: what the hydrostatic part of
+  /// a density difference balances.
   void operator()(const View<D>& view, const BodyAcceleration<D>& still, Field& rate,
                   std::array<Field, D>& xsph);
 
  private:
-  /// Reads x, v, volume (and density); sums XSPH and the rate of density.
-  template <bool Diffusion>
-  using Loop = SymmetricPairLoop<D, Diffusion ? 2 * D + 2 : 2 * D + 1, D + 1>;
-  template <class K, bool Diffusion, bool Turning>
+  template <class K, bool Diffusion, bool Turning, bool Xsph>
   void pass(const K& kernel, const View<D>& view, const BodyAcceleration<D>& still, Field& rate,
             std::array<Field, D>& xsph);
 
   bool diffusion_;
   bool of_dynamic_density_;
   bool walls_too_;  ///< walls have a density by continuity
-  Loop<false> plain_;
-  Loop<true> diffusing_;
+  bool xsph_;
 };
 
 }  // namespace surge::sph

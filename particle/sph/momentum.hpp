@@ -48,8 +48,7 @@ inline double acoustic_damper(double alpha_c0_h, double density_rate) {
 template <class T>
 T artificial_viscosity(T approach, T r2, T mean_density, double alpha_c0_h, double h2) {
   using std::min;
-  const T mu = min(approach, T(0.0)) / (r2 + T(0.01 * h2));
-  return T(-alpha_c0_h) * mu / mean_density;
+  return T(-alpha_c0_h) * min(approach, T(0.0)) / ((r2 + T(0.01 * h2)) * mean_density);
 }
 
 /// What is needed of an artificial viscosity alpha c0 h (m2/s) where the fluid has a viscosity nu

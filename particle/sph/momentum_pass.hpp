@@ -1,6 +1,5 @@
 #pragma once
 
-#include "particle/core/symmetric_pair_loop.hpp"
 #include "particle/sph/params.hpp"
 #include "particle/sph/view.hpp"
 
@@ -26,21 +25,13 @@ class MomentumPass {
 
  private:
   enum class Rubbing { none, laplacian, deformation };
-  /// Reads x, p/rho^2 (and v, density, volume) (and what stands for p/rho^2 of the particle
-  /// itself); sums the acceleration without gravity.
-  template <bool Viscous, bool Difference>
-  using Loop = SymmetricPairLoop<D, (Viscous ? 2 * D + 3 : D + 1) + (Difference ? 1 : 0), D>;
   template <class K, bool Viscous, bool Difference>
   void pass(const K& kernel, const View<D>& view, const Pressures& pressures,
-            const std::array<Field, D>& velocity, std::array<Field, D>& acceleration,
-            Loop<Viscous, Difference>& loop);
+            const std::array<Field, D>& velocity, std::array<Field, D>& acceleration);
 
   bool difference_;
   bool viscous_;
   Rubbing rubbing_;
-  Loop<false, false> inviscid_;
-  Loop<true, false> viscous_loop_;
-  Loop<true, true> difference_loop_;
 };
 
 }  // namespace surge::sph

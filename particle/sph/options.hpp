@@ -55,6 +55,9 @@ void visit_options(P& p, Visitor&& option) {
          "what becomes of negative pressures; difference is Sun et al. (2018)");
   option("shifting", p.shifting, any,
          "moves particles to where there are fewer; concentration is Sun et al. (2017)");
+  option(
+      "survey_interval", p.survey_interval, Bounds::closed(0.0, 0.25),
+      "surface and shift are found again after this h over the speed of the flow; 0: every step");
   option("viscous_term", p.viscous_term, any,
          "laplacian is Morris, Fox & Zhu (1997), deformation Monaghan & Gingold (1983)");
   option("artificial_viscosity", p.artificial_viscosity, Bounds::at_least(0.0),

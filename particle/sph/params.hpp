@@ -54,6 +54,7 @@ struct Params {
   double acoustic_damping = 0.0;  ///< bulk viscosity over c0 h (Sun et al. 2023)
   WallDensity wall_density = WallDensity::continuity;
   Shifting shifting = Shifting::none;
+  double survey_interval = 0.0;   ///< of surface and shift, h/speed of the flow; 0: every step
   double wall_distance = 0.25;    ///< in l0: no particle's centre comes closer to a wall
   double wall_restitution = 0.0;  ///< ratio of normal speeds after and before a wall collision
 };

@@ -6,6 +6,7 @@
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/time_step.hpp"
+#include "particle/sph/largest_approach.hpp"
 #include "particle/sph/momentum.hpp"
 
 namespace surge::sph {
@@ -27,10 +28,16 @@ State<D> initial_state(const Case& c, const Params& params) {
     s.acceleration[a].assign(n, 0.0);
     s.xsph[a].assign(n, 0.0);
   }
+  s.compression_rate.assign(n, 0.0);
+  s.survey = Survey<D>(n);
   MovingWalls<D>(c, s.p, wall_layers(params)).place(s.p, 0.0);
   s.v_max = fastest_speed(s.p);
   return s;
 }
+
+/// By how much the lists of neighbours reach beyond the kernel, in spacings: the more, the longer
+/// they are and the less often they are made.
+constexpr double skin = 0.4;
 
 }  // namespace
 
@@ -38,7 +45,7 @@ template <int D>
 Solver<D>::Solver(const Case& c, const Params& params, Search search)
     : Solver(c, params, search, initial_state<D>(c, params)) {
   const auto scope = clock_.measure(Phase::setup);
-  sort_particles(stable_step());
+  sort();
   update_fluid_volume();
   if (shifting_ || difference_) survey_surroundings(0.0);
   StepReport ignored;
@@ -56,9 +63,11 @@ Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> s
       movers_(c, initial_particles<D>(c, wall_layers(params)), wall_layers(params)),
       walls_(c, params.wall_distance * c.spacing, params.wall_restitution),
       grid_(search, periodicity_of<D>(c)),
+      waves_(model_),
       shifting_(params_.shifting != Shifting::none),
       difference_(params_.negative_pressure == NegativePressure::difference),
       surroundings_(model_.h, c.spacing, reference_speed(c)),
+      reference_speed_(reference_speed(c)),
       density_pass_(params),
       momentum_pass_(params, model_) {
   const auto scope = clock_.measure(Phase::setup);
@@ -69,7 +78,6 @@ Solver<D>::Solver(const Case& c, const Params& params, Search search, State<D> s
     wall_acceleration_[a].assign(movers_.empty() ? 0 : n, 0.0);
   }
   density_rate_.assign(n, 0.0);
-  compression_rate_.assign(params_.acoustic_damping > 0.0 ? n : 0, 0.0);
   fluid_volume_.assign(n, 0.0);
   p_over_rho2_.assign(n, 0.0);
   own_p_over_rho2_.assign(difference_ ? n : 0, 0.0);
@@ -91,7 +99,6 @@ double Solver<D>::stable_step() const {
   // The pairs of the other term are stiffer by (D + 2)/D.
   const bool laplacian = params_.viscous_term == ViscousTerm::laplacian;
   dt = std::min(dt, viscous_step(laplacian ? 0.125 : 0.125 * D / (D + 2.0), h, model_.nu));
-  dt = std::min(dt, viscous_step(0.5, h, model_.damping));
   if (!movers_.empty()) dt = movers_.step_limit(s_.time, dt, control_.courant * model_.spacing);
   return s_.steps == 0 ? std::min(dt, control_.initial_step) : dt;
 }
@@ -104,14 +111,15 @@ StepReport Solver<D>::step(double dt_limit) {
   const double middle = start + 0.5 * dt;
   const double end = start + dt;
   kick(start, start, middle);
-  sort_particles(dt);
   half_drift(dt);
   if (!movers_.empty()) place_moving_walls(middle);  // if moving_walls
+  sort_particles();
   apply_continuity(dt);
   if (shifting_ || difference_)
     survey_surroundings(dt);  // if shifting or negative_pressure=difference
   drift(dt, report);
   if (!movers_.empty()) place_moving_walls(end);  // if moving_walls
+  sort_particles();
   apply_equation_of_state(end, report);
   apply_momentum();
   kick(end, middle, end);
@@ -125,33 +133,37 @@ StepReport Solver<D>::step(double dt_limit) {
 }
 
 template <int D>
-void Solver<D>::sort_particles(double dt) {
+void Solver<D>::sort_particles() {
   const auto scope = clock_.measure(Phase::neighbours);
-  // XSPH moves a particle by no more than the fastest one; twice the path because two may approach.
-  // A shift adds half as much.
-  double speed = s_.v_max;
-  if (!movers_.empty()) speed = std::max(speed, movers_.fastest(s_.time, s_.time + dt));
-  const double path = (shifting_ ? 1.5 : 1.0) * speed * dt;
-  s_.moved_since_sort += path;
-  if (s_.steps > 0 && 2.0 * s_.moved_since_sort <= s_.skin) return;
-  s_.skin = std::max(0.1 * model_.spacing, 2.5 * path);
-  s_.moved_since_sort = path;
+  if (largest_approach<D>(s_.p.x, s_.sorted_x) <= skin * model_.spacing) return;
   sort();
+  if (params_.wall_density != WallDensity::extrapolated) return;
+  // What water has left shows nothing of it any more.
+  const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (s_.p.type[i] != ParticleType::fluid) s_.p.density[i] = model_.rho0;
 }
 
 template <int D>
 void Solver<D>::sort() {
-  grid_.build(s_.p.x, support_of(params_.kernel) * model_.h + s_.skin, 2);
+  const double radius = support_of(params_.kernel) * model_.h + skin * model_.spacing;
+  grid_.build(s_.p.x, radius, 2);
   grid_.reorder(s_.p);
   for (int a = 0; a < D; ++a) {
-    grid_.reorder(s_.xsph[a]);
+    if (params_.xsph_epsilon > 0.0) {
+      grid_.reorder(s_.xsph[a]);
+      grid_.reorder(xsph_old_[a]);
+    }
     grid_.reorder(s_.acceleration[a]);
     s_.sorted_x[a].assign(s_.p.x[a].begin(), s_.p.x[a].end());
   }
-  fluid_before_.resize(s_.p.size() + 1);
-  fluid_before_[0] = 0;
-  for (std::size_t i = 0; i < s_.p.size(); ++i)
-    fluid_before_[i + 1] = fluid_before_[i] + (is_fluid(i) ? 1 : 0);
+  if (params_.acoustic_damping > 0.0) grid_.reorder(s_.compression_rate);
+  if (shifting_ || difference_)
+    for (Field* field : s_.survey.fields()) grid_.reorder(*field);
+  // Walls at rest give each other's density no rate.
+  lists_.build(grid_, s_.p, radius,
+               params_.wall_density == WallDensity::continuity && !movers_.empty());
 }
 
 template <int D>
@@ -178,7 +190,8 @@ void Solver<D>::kick(double time, double begin, double end) {
 template <int D>
 void Solver<D>::half_drift(double dt) {
   const auto scope = clock_.measure(Phase::forces);
-  for (int a = 0; a < D; ++a) xsph_old_[a].swap(s_.xsph[a]);
+  if (params_.xsph_epsilon > 0.0)
+    for (int a = 0; a < D; ++a) xsph_old_[a].swap(s_.xsph[a]);
   for_each_fluid(s_.p, [&](std::size_t i) {
     for (int a = 0; a < D; ++a)
       s_.p.x[a][i] += 0.5 * dt * (s_.p.v[a][i] + params_.xsph_epsilon * xsph_old_[a][i]);
@@ -195,17 +208,21 @@ void Solver<D>::apply_continuity(double dt) {
   const auto scope = clock_.measure(Phase::forces);
   update_fluid_volume();
   const double middle = s_.time + 0.5 * dt;
+  const bool walls_too = params_.wall_density == WallDensity::continuity;
+  if (walls_too) std::fill(density_rate_.begin(), density_rate_.end(), 0.0);
   density_pass_(view(), body_force_.still(body_force_.at(middle, middle, middle)), density_rate_,
                 s_.xsph);
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
-  const bool walls_too = params_.wall_density == WallDensity::continuity;
   const bool damping = params_.acoustic_damping > 0.0;
+  const double share =
+      damping ? waves_.damper_share(params_.density_diffusion, params_.acoustic_damping,
+                                    disorder * dt * (model_.c0 + s_.v_max) / model_.h)
+              : 0.0;
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const bool moves = walls_too || is_fluid(static_cast<std::size_t>(i));
-    if (moves) s_.p.density[i] += dt * density_rate_[i];
-    // The rate itself will be overwritten by that of the shift, which isn't motion of the fluid.
-    if (damping) compression_rate_[i] = moves ? density_rate_[i] : 0.0;
+    if (!walls_too && !is_fluid(static_cast<std::size_t>(i))) continue;
+    s_.p.density[i] += dt * density_rate_[i];
+    if (damping) s_.compression_rate[i] += share * (density_rate_[i] - s_.compression_rate[i]);
   }
 }
 
@@ -220,19 +237,18 @@ void Solver<D>::update_fluid_volume() {
 template <int D>
 void Solver<D>::survey_surroundings(double dt) {
   const auto scope = clock_.measure(Phase::forces);
-  std::visit(
-      [&](const auto& kernel) {
-        surroundings_.survey(kernel, grid_, s_.p, fluid_volume_, fluid_before_, 0.5 * s_.v_max);
-        if (shifting_)
-          surroundings_.density_rate(kernel, grid_, s_.p, fluid_volume_, fluid_before_,
-                                     density_rate_);
-      },
-      model_.kernel);
+  if (survey_is_due(dt)) {
+    s_.since_survey = 0.0;
+    std::visit(
+        [&](const auto& kernel) {
+          surroundings_.survey(kernel, lists_, s_.p, fluid_volume_, 0.5 * s_.v_max, s_.survey);
+          if (shifting_) surroundings_.find_density_rate(kernel, lists_, s_.p, s_.survey);
+        },
+        model_.kernel);
+  }
+  s_.since_survey += dt;
   if (!shifting_) return;
-  // Where the kernel is cut off by the surface, the sums are one-sided.
-  for_each_fluid(s_.p, [&](std::size_t i) {
-    if (!surroundings_.near_surface(i)) s_.p.density[i] += dt * density_rate_[i];
-  });
+  for_each_fluid(s_.p, [&](std::size_t i) { s_.p.density[i] += dt * s_.survey.density_rate[i]; });
 }
 
 template <int D>
@@ -253,7 +269,7 @@ void Solver<D>::drift(double dt, StepReport& report) {
       v[a] = p.v[a][i];
       start[a] = p.x[a][i] - 0.5 * dt * (v[a] + params_.xsph_epsilon * xsph_old_[a][i]);
       end[a] = start[a] + dt * (v[a] + params_.xsph_epsilon * s_.xsph[a][i]);
-      if (shifting_) end[a] += dt * surroundings_.shift()[a][i];
+      if (shifting_) end[a] += dt * s_.survey.shift[a][i];
     }
     if (walls_.apply(start, end, v)) {
       ++collisions;
@@ -283,7 +299,7 @@ void Solver<D>::apply_equation_of_state(double time, StepReport& report) {
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i)
     own_p_over_rho2_[i] =
-        without_tension(p_over_rho2_[i], surroundings_.near_surface(static_cast<std::size_t>(i)));
+        without_tension(p_over_rho2_[i], s_.survey.near_surface(static_cast<std::size_t>(i)));
 }
 
 template <int D>
@@ -296,10 +312,10 @@ void Solver<D>::set_pressures(StepReport& report) {
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     double p = model_.state.pressure(s_.p.density[i]);
-    if (damping > 0.0) p += acoustic_damper(damping, compression_rate_[i]);
-    if (p < 0.0 && (clip || (difference_ && surroundings_.on_surface(k)))) {
+    if (damping > 0.0) p += acoustic_damper(damping, s_.compression_rate[i]);
+    if (p < 0.0 && (clip || (difference_ && s_.survey.on_surface(k)))) {
       // What is detached has no pressure to follow from, only what its density has drifted by.
-      if (difference_ && surroundings_.is_detached(k)) s_.p.density[i] = model_.rho0;
+      if (difference_ && s_.survey.is_detached(k)) s_.p.density[i] = model_.rho0;
       p = 0.0;
       clipped += s_.p.type[i] == ParticleType::fluid ? 1 : 0;
     }

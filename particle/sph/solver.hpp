@@ -7,11 +7,13 @@
 #include "particle/core/moving_walls.hpp"
 #include "particle/core/step_report.hpp"
 #include "particle/core/wall_collision.hpp"
+#include "particle/sph/cluster_lists.hpp"
 #include "particle/sph/density_pass.hpp"
 #include "particle/sph/model.hpp"
 #include "particle/sph/momentum_pass.hpp"
 #include "particle/sph/params.hpp"
 #include "particle/sph/shifting.hpp"
+#include "particle/sph/stability.hpp"
 #include "particle/sph/state.hpp"
 #include "particle/sph/view.hpp"
 #include "particle/sph/wall_extrapolation.hpp"
@@ -58,7 +60,8 @@ class Solver {
  private:
   // The first line of the comment on a function that step() calls is its box in the flowchart.
   /// Particles sorted into cells of neighbours.
-  void sort_particles(double dt);
+  /// Again where they have moved so far that their lists may lack a neighbour.
+  void sort_particles();
   /// Velocities by half a step, gravity too.
   /// And the tank's motion: at `time`, its own acceleration as its mean over [begin, end].
   void kick(double time, double begin, double end);
@@ -81,9 +84,14 @@ class Solver {
   void measure_speed();
 
   void sort();
+  /// Shift and surface are kept while the flow goes a fraction of h, see Surroundings.
+  [[nodiscard]] bool survey_is_due(double dt) const {
+    const double path = (s_.since_survey + dt) * std::max(reference_speed_, s_.v_max);
+    return s_.steps == 0 || path > params_.survey_interval * model_.h;
+  }
   void update_fluid_volume();
   void set_pressures(StepReport& report);
-  [[nodiscard]] View<D> view() const { return {model_, grid_, s_.p, fluid_volume_, fluid_before_}; }
+  [[nodiscard]] View<D> view() { return {model_, lists_, s_.p, fluid_volume_}; }
   [[nodiscard]] bool is_fluid(std::size_t i) const { return s_.p.type[i] == ParticleType::fluid; }
 
   Params params_;
@@ -98,16 +106,17 @@ class Solver {
   std::array<Field, D> xsph_old_;           ///< XSPH's correction that the half drift used
   std::array<Field, D> wall_acceleration_;  ///< m/s2; empty where no wall moves
   Field density_rate_;
-  Field compression_rate_;  ///< that of continuity, kg/m3/s, where sound is damped
-  Field fluid_volume_;      ///< m/rho of fluid particles, 0 for walls
+  Field fluid_volume_;  ///< m/rho of fluid particles, 0 for walls
   Field p_over_rho2_;
   Field own_p_over_rho2_;  ///< what stands for it in the sum of the particle itself
-  std::vector<std::uint32_t> fluid_before_;  ///< number of fluid particles before each index
 
   CellGrid<D> grid_;
+  ClusterLists<D> lists_;
+  LatticeWaves waves_;
   bool shifting_;
   bool difference_;  ///< negative pressures inside act by differences
   Surroundings<D> surroundings_;
+  double reference_speed_;  ///< m/s
   DensityPass<D> density_pass_;
   MomentumPass<D> momentum_pass_;
   WallExtrapolation<D> wall_extrapolation_;

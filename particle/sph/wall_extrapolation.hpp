@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "particle/core/body_force.hpp"
-#include "particle/core/pair_loop.hpp"
 #include "particle/sph/view.hpp"
 
 namespace surge::sph {
@@ -17,7 +14,7 @@ class WallExtrapolation {
   ///   p_w = sum_f [ p_f + rho_f (g - a_w) . (x_w - x_f) ] W_wf / sum_f W_wf,
   /// and its density from the equation of state. Negative values are set to zero: walls do not
   /// suck. `still`: g, and what the tank's motion adds to it; `wall_acceleration`: m/s2, empty
-  /// where no wall moves.
+  /// where no wall moves. Walls that water is not near to are left alone.
   void pressure(const View<D>& view, const BodyAcceleration<D>& still,
                 const std::array<Field, D>& wall_acceleration, Field& pressure, Field& density);
 
@@ -33,8 +30,8 @@ class WallExtrapolation {
   template <class K>
   void velocity_pass(const K& kernel, const View<D>& view, std::array<Field, D>& shown);
 
-  std::vector<TileBuffer<D, D + 3>> pressure_tiles_;
-  std::vector<TileBuffer<D, 2 * D + 1>> velocity_tiles_;
+  Field weights_;  ///< sum of W, 1/m^D
+  std::array<Field, D> sums_;
 };
 
 }  // namespace surge::sph

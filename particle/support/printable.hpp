@@ -15,4 +15,12 @@ namespace surge {
   return out;
 }
 
+/// The same of a text of several lines.
+[[nodiscard]] inline std::string printable_lines(std::string_view text) {
+  std::string out = printable(text);
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') out[i] = '\n';
+  return out;
+}
+
 }  // namespace surge

@@ -1,8 +1,8 @@
 #include "particle/support/toml.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "particle/support/regular_file.hpp"
 #include "particle/support/spelling.hpp"
 #include "particle/support/toml_document.hpp"
 
@@ -88,14 +88,7 @@ TomlTable::TomlTable(std::shared_ptr<Document> document, const void* table, std:
 
 TomlTable TomlTable::read(const std::filesystem::path& file,
                           std::span<const std::string> overrides) {
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file) || !stream) {
-    throw Error(file.string() + ": found no readable file, expected a TOML file");
-  }
-  std::string text(most_toml_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  return parse(text, file.string(), overrides);
+  return parse(read_regular(file, most_toml_bytes, "a TOML file"), file.string(), overrides);
 }
 
 TomlTable TomlTable::parse(std::string_view text, std::string source,

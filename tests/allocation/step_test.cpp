@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/case/solver_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -56,7 +57,7 @@ void expect_steps_without_allocation(const std::string& method, const std::strin
   all.insert(all.end(), more.begin(), more.end());
   if (method == "mps") all.emplace_back("mps.ppe_solver=multigrid");
   auto solver = test::make_solver<Solver>(
-      read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", all));
+      read_computation(tests::sources() + "/particle/cases/dam_break.toml", all));
   const double any = std::numeric_limits<double>::max();
   for (int k = 0; k < 60; ++k) solver.step(any);
   int allocating = 0;

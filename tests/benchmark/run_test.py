@@ -98,6 +98,15 @@ class RunTest(unittest.TestCase):
         (self.store / run.folder_name(THERE)).rename(self.store / run.folder_name(HERE))
         self.assertEqual(run.previous_results(self.store, HERE), (None, 1))
 
+    def test_prints_what_is_serial_and_how_a_busy_neighbour_is_borne(self):
+        results = run.results_of({"benchmarks": [
+            entry("preset_step/m/3D/threads:2", 1.0, neighbours=112.4, serial_fraction=0.05,
+                  efficiency=0.952, efficiency_at_16=0.571),
+            entry("busy_neighbour/m", 1.0, threads_over_one=1.234)]})
+        step_row, busy_row = table(results).splitlines()[1:3]
+        self.assertEqual(step_row.split()[-4:], ["112", "0.95", "0.050", "0.57"])
+        self.assertEqual(busy_row.split()[-1], "1.23")
+
     def test_warns_of_a_shared_processor(self):
         busy = step(1e6)
         busy["cpu_time"] = 1.0

@@ -20,7 +20,8 @@ namespace {
 /// Particles, sorted into cells, and their neighbours within the Laplacian's radius.
 struct Scene {
   explicit Scene(std::int64_t fluid)
-      : setup(developed_column("mps", fluid)), grid(setup.search, periodicity_of<2>(setup.flow)) {
+      : setup(developed_column<2>("mps", "paper", fluid)),
+        grid(setup.search, periodicity_of<2>(setup.flow)) {
     auto solver = test::make_solver<mps::Solver<2>>(setup);
     for (int k = 0; k < 5; ++k) solver.step(std::numeric_limits<double>::max());
     particles = solver.particles();

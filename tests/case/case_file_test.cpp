@@ -12,6 +12,7 @@
 #include "particle/mps/options.hpp"
 #include "particle/sph/options.hpp"
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -45,7 +46,7 @@ TEST(CaseFile, HoldsWhatTheFileSays) {
 
 TEST(CaseFile, DamBreakIsThePapers) {
   const Computation computation =
-      read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml");
+      read_computation(tests::sources() + "/particle/cases/dam_break.toml");
   const Case& c = computation.flow;
   EXPECT_DOUBLE_EQ(count_particles(c, 0).fluid, 1682.0);                       // Sec. 5.1
   EXPECT_DOUBLE_EQ(c.blocks[0].box.upper[1], 2.0 * c.blocks[0].box.upper[0]);  // 2L high, Fig. 6
@@ -59,7 +60,7 @@ TEST(CaseFile, DamBreakDividesAtEveryResolutionOfTheStudy) {
   for (const int per_length : {20, 29, 40, 58, 80, 116}) {
     const std::string spacing = "resolution.spacing=" + number_text(0.145 / per_length);
     const std::vector<std::string> overrides{spacing};
-    const Case c = read_flow(SURGE_SOURCE_DIR "/particle/cases/dam_break.toml", overrides);
+    const Case c = read_flow(tests::sources() + "/particle/cases/dam_break.toml", overrides);
     EXPECT_DOUBLE_EQ(count_particles(c, 0).fluid, 2.0 * per_length * per_length);
   }
 }
@@ -67,7 +68,7 @@ TEST(CaseFile, DamBreakDividesAtEveryResolutionOfTheStudy) {
 TEST(CaseFile, EveryCaseOfTheProductIsGoodWithEveryMethod) {
   int count = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(SURGE_SOURCE_DIR "/particle/cases")) {
+       std::filesystem::directory_iterator(tests::sources() + "/particle/cases")) {
     if (entry.path().extension() != ".toml") continue;
     for (const Method& method : methods()) {
       const std::string name(method.name);
@@ -120,7 +121,8 @@ TEST(CaseFile, WrittenAsTomlItReadsBackTheSame) {
   EXPECT_EQ(to_json(again), to_json(c));
   EXPECT_EQ(to_json(again)["method"]["parameters"]["kernel"], "wendland_c2");
 
-  const Computation three = read_computation(SURGE_SOURCE_DIR "/particle/cases/dam_break_3d.toml");
+  const Computation three =
+      read_computation(tests::sources() + "/particle/cases/dam_break_3d.toml");
   EXPECT_EQ(to_json(parse_computation(to_toml(three), "written.toml")), to_json(three));
 }
 

@@ -28,6 +28,9 @@ TEST(Divisions, NearestCommonSpacingsOnBothSides) {
   EXPECT_DOUBLE_EQ(column.above.value(), 0.145 / 24);
   EXPECT_FALSE(near_spacings({0.1, 0.2}, 0.15).above.has_value());
   EXPECT_FALSE(near_spacings({}, 0.1).below.has_value());
+  // So small that the count of spacings is infinite, or that one more is the same number.
+  EXPECT_FALSE(near_spacings({0.1, 0.2}, 1e-320).below.has_value());
+  EXPECT_FALSE(near_spacings({0.1, 0.2}, 1e-30).above.has_value());
   // Lengths without a common measure in a thousand spacings.
   EXPECT_FALSE(near_spacings({1.0, 1.41421356237}, 0.4).below.has_value());
 }

@@ -7,6 +7,7 @@
 #include "particle/case/case_file.hpp"
 #include "particle/case/case_json.hpp"
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -88,6 +89,9 @@ stop = 3.0
   expect_written_reads_back(plane);
   EXPECT_THAT(refusal(turn + "direction = [1.0, 0.0]\n"), HasSubstr("unknown key \"direction\""));
 
+  // A case that turns its periodic axis is refused before it runs.
+  EXPECT_THAT(refusal(turn, {"tank.periodic=[\"x\"]"}), HasSubstr("x in a tank that turns"));
+
   const std::vector<std::string> solid{
       "dimension=3",
       "fluid.gravity=[0,0,-9.81]",
@@ -117,7 +121,7 @@ TEST(MovingCase, GateIsLifted) {
 }
 
 TEST(MovingCase, TableIsReadBesideTheCaseAndWrittenIntoIt) {
-  const test::TemporaryFolder folder("motion");
+  const tests::TemporaryFolder folder;
   std::ofstream(folder.path() / "sway.csv")
       << "time,displacement\n0,0\n 0.5 , 0.02\r\n\n1e0,-0.01\n";
   const std::string motion = R"([motion]
@@ -251,6 +255,8 @@ TEST(Instruments, BadPlacesAndSurfacesAreRefused) {
   EXPECT_THAT(refusal(force("z+")), HasSubstr("found \"z+\""));
   EXPECT_THAT(refusal(force("piston")), HasSubstr("or the name of a moving wall"));
   EXPECT_THAT(refusal("", {"probe.0.diameter=-1"}), HasSubstr("expected a number of at least 0"));
+  EXPECT_THAT(refusal("", {"probe.0.diameter=1e300"}),
+              HasSubstr("at most the tank's smallest size"));
 }
 
 }  // namespace

@@ -33,6 +33,29 @@ class Hdf5Writer {
       H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
   }
 
+  /// The same in chunks, compressed.
+  void packed(const std::string& path, const std::vector<double>& values, hsize_t columns) const {
+    const hsize_t sizes[2] = {values.size() / columns, columns};
+    const hsize_t chunk[2] = {64, columns};
+    const Hdf5Handle space(H5Screate_simple(2, sizes, nullptr), H5Sclose);
+    const Hdf5Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_chunk(layout.id(), 2, chunk);
+    H5Pset_deflate(layout.id(), 4);
+    const Hdf5Handle set(H5Dcreate2(file_.id(), path.c_str(), H5T_NATIVE_DOUBLE, space.id(),
+                                    links_.id(), layout.id(), H5P_DEFAULT),
+                         H5Dclose);
+    H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  }
+
+  /// One number in a data set without dimensions.
+  void number(const std::string& path, double value) const {
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle set(H5Dcreate2(file_.id(), path.c_str(), H5T_NATIVE_DOUBLE, space.id(),
+                                    links_.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
+    H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
+  }
+
   void attribute(const std::string& object, const std::string& name, double value) const {
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
     const Hdf5Handle made(
@@ -104,6 +127,39 @@ inline void write_h5part(const fs::path& file, const ForeignFlow& flow = {}) {
     std::vector<double> kind(p.type.begin(), p.type.end());
     out.values(group + "/kind", kind);
     out.attribute(group, "TimeValue", i * ForeignFlow::interval);
+  }
+}
+
+/// Units in which a file of SWIFT holds its values, in m, s and kg.
+struct GadgetUnits {
+  double length = 1.0, time = 1.0, mass = 1.0;
+};
+
+/// SWIFT 1.0 and Gadget 4: snap_####.hdf5 with PartType0 and Header@Time; compressed in chunks, as
+/// SWIFT does. Only SWIFT writes Units, in cgs.
+inline void write_gadget(const fs::path& folder, const std::optional<GadgetUnits>& units,
+                         const ForeignFlow& flow = {}) {
+  const GadgetUnits unit = units.value_or(GadgetUnits{});
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const auto p = flow.particles(i, 0, std::nullopt);
+    const Hdf5Writer out(folder / ("snap_" + padded(i, 4) + ".hdf5"));
+    std::vector<double> position, velocity, pressure;
+    for (const Vec3& x : p.position)
+      for (const double c : x) position.push_back(c / unit.length);
+    for (const Vec3& v : p.velocity)
+      for (const double c : v) velocity.push_back(c * unit.time / unit.length);
+    for (const double value : p.pressure)
+      pressure.push_back(value * unit.length * unit.time * unit.time / unit.mass);
+    out.packed("PartType0/Coordinates", position, 3);
+    out.packed("PartType0/Velocities", velocity, 3);
+    out.packed("PartType0/Pressures", pressure, 1);
+    out.group("Header");
+    out.attribute("Header", "Time", i * ForeignFlow::interval / unit.time);
+    if (!units) continue;
+    out.group("Units");
+    out.attribute("Units", "Unit length in cgs (U_L)", 100.0 * unit.length);
+    out.attribute("Units", "Unit time in cgs (U_t)", unit.time);
+    out.attribute("Units", "Unit mass in cgs (U_M)", 1000.0 * unit.mass);
   }
 }
 

@@ -116,7 +116,9 @@ inline void write_mps_basic_prof(const fs::path& folder, const ForeignFlow& flow
 struct DumpLayout {
   bool scaled = false;
   bool one_file = true;
-  bool time = false;  ///< dump_modify time yes
+  bool time = false;             ///< dump_modify time yes
+  std::optional<double> tilt{};  ///< xy of a triclinic box
+  std::string bounds = "ff ff pp";
 };
 
 inline void write_lammps(const fs::path& folder, const DumpLayout& layout,
@@ -128,8 +130,14 @@ inline void write_lammps(const fs::path& folder, const DumpLayout& layout,
     std::ostringstream out;
     out << std::setprecision(17) << "ITEM: TIMESTEP\n" << 200 * i << '\n';
     if (layout.time) out << "ITEM: TIME\n" << i * ForeignFlow::interval << '\n';
-    out << "ITEM: NUMBER OF ATOMS\n" << p.position.size() << "\nITEM: BOX BOUNDS ff ff pp\n";
-    for (int a = 0; a < 3; ++a) out << lower << ' ' << lower + size << '\n';
+    out << "ITEM: NUMBER OF ATOMS\n"
+        << p.position.size() << "\nITEM: BOX BOUNDS " << (layout.tilt ? "xy xz yz " : "")
+        << layout.bounds << '\n';
+    for (int a = 0; a < 3; ++a) {
+      out << lower << ' ' << lower + size;
+      if (layout.tilt) out << ' ' << (a == 0 ? *layout.tilt : 0.0);
+      out << '\n';
+    }
     out << (layout.scaled ? "ITEM: ATOMS id type xs ys zs vx vy vz\n"
                           : "ITEM: ATOMS id type x y z vx vy vz\n");
     for (std::size_t k = 0; k < p.position.size(); ++k) {

@@ -107,6 +107,37 @@ inline void write_trixi(const fs::path& folder, const ForeignFlow& flow = {}) {
                  list + "</Collection>\n</VTKFile>\n");
 }
 
+/// ParaView's parallel files: w_<k>.pvtu over two pieces each.
+inline void write_parallel(const fs::path& folder, const ForeignFlow& flow = {}) {
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const auto points = flow.fluid(i);
+    const std::string stem = "w_" + std::to_string(i);
+    const std::vector<Vec3> first(points.begin(), points.begin() + 90);
+    const std::vector<Vec3> second(points.begin() + 90, points.end());
+    const double time = i * ForeignFlow::interval;
+    write_vtu(folder / (stem + "_0.vtu"), first, "", "Time", time);
+    write_vtu(folder / (stem + "_1.vtu"), second, "", "Time", time);
+    write_text(folder / (stem + ".pvtu"),
+               "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid GhostLevel=\"0\"><Piece "
+               "Source=\"" +
+                   stem + "_0.vtu\"/><Piece Source=\"" + stem +
+                   "_1.vtu\"/></PUnstructuredGrid></VTKFile>");
+  }
+}
+
+/// ParaView's all.vtp.series over files without times.
+inline void write_file_series(const fs::path& folder, const ForeignFlow& flow = {}) {
+  std::string list;
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const std::string name = "water_" + std::to_string(i) + ".vtp";
+    write_plain_vtp(folder / name, flow.fluid(i), "", std::nullopt);
+    list += (i > 0 ? ", " : "") + std::string("{\"name\": \"") + name +
+            "\", \"time\": " + digits17(i * ForeignFlow::interval) + "}";
+  }
+  write_text(folder / "all.vtp.series",
+             "{\"file-series-version\": \"1.0\", \"files\": [" + list + "]}");
+}
+
 /// SPHinXsys: output/WaterBody_<millionths of a second>.vtp, the wall once; "TimeValue" since 2025.
 inline void write_sphinxsys(const fs::path& folder, bool time_value, const ForeignFlow& flow = {}) {
   const auto name = [](const std::string& body, int i) {
@@ -218,6 +249,84 @@ inline void write_splishsplash(const fs::path& folder, const ForeignFlow& flow =
     for (const double value : p.pressure) append_big(text, static_cast<float>(value));
     write_text(folder / ("ParticleData_Fluid_" + std::to_string(i + 1) + ".vtk"), text + "\n");
   }
+}
+
+/// GPUSPH 5.0: data/PART_#####.vtp, z upwards, single precision of all but the position, raw
+/// appended values; VTUinp.pvd names planes and particles as groups without parts.
+inline void write_gpusph(const fs::path& folder, const ForeignFlow& flow = {}) {
+  std::string list;
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const auto p = flow.particles(i, 0, 1);
+    const std::size_t n = p.position.size();
+    std::string head, values;
+    const auto append = [&](const std::string& type, const std::string& name, int components,
+                            const std::string& bytes) {
+      head += "\t<DataArray type='" + type + "' Name='" + name + "'" +
+              (components > 1 ? " NumberOfComponents='" + std::to_string(components) + "'" : "") +
+              " format='appended' offset='" + std::to_string(values.size()) + "'/>\n";
+      const auto size = static_cast<std::uint32_t>(bytes.size());
+      values.append(reinterpret_cast<const char*>(&size), sizeof(size));
+      values += bytes;
+    };
+    const auto raw = [](const auto& numbers) {
+      return std::string(reinterpret_cast<const char*>(numbers.data()),
+                         numbers.size() * sizeof(numbers[0]));
+    };
+    std::vector<double> position;
+    std::vector<float> velocity;
+    for (std::size_t k = 0; k < n; ++k) {
+      for (const double c : upright(p.position[k])) position.push_back(c);
+      for (const double c : upright(p.velocity[k])) velocity.push_back(static_cast<float>(c));
+    }
+    append("Float64", "Position", 3, raw(position));
+    const std::string points = head;
+    head.clear();
+    append("Float32", "Pressure", 1, raw(std::vector<float>(p.pressure.begin(), p.pressure.end())));
+    append("Float32", "Velocity", 3, raw(velocity));
+    append("UInt8", "Part type", 1, raw(std::vector<unsigned char>(p.type.begin(), p.type.end())));
+    append("UInt16", "Part flags", 1, raw(std::vector<unsigned short>(n, 0)));
+    append("UInt32", "Part id", 1, raw(numbers_from(0, n)));
+    const std::string data = head;
+    head.clear();
+    append("UInt32", "connectivity", 1, raw(numbers_from(0, n)));
+    append("UInt32", "offsets", 1, raw(numbers_from(1, n)));
+    const std::string name = "PART_" + padded(i, 5) + ".vtp", count = std::to_string(n);
+    write_text(folder / name,
+               "<?xml version='1.0'?>\n<VTKFile type='PolyData'  version='0.1'  "
+               "byte_order='LittleEndian'>\n <PolyData>\n  <Piece NumberOfPoints='" +
+                   count + "' NumberOfVerts='" + count + "'>\n   <Points>\n" + points +
+                   "   </Points>\n   <PointData Scalars='Pressure' Vectors='Velocity'>\n" + data +
+                   "   </PointData>\n   <Verts>\n" + head +
+                   "   </Verts>\n  </Piece>\n </PolyData>\n <AppendedData encoding='raw'>\n_" +
+                   values + " </AppendedData>\n</VTKFile>\n");
+    const std::string time = "  <DataSet timestep='" + digits17(i * ForeignFlow::interval);
+    list += time + "' group='0' name='Planes' file='PLANES.vtu'/>\n";
+    list += time + "' group='1' name='Particles' file='" + name + "'/>\n";
+  }
+  write_vtu(folder / "PLANES.vtu", {{0, 0, 0}, {0.4, 0, 0}}, "", "", std::nullopt);
+  write_text(folder / "VTUinp.pvd",
+             "<?xml version='1.0'?>\n<VTKFile type='Collection' version='0.1'>\n <Collection>\n" +
+                 list + " </Collection>\n</VTKFile>\n");
+}
+
+/// AQUAgpusph 4: set0.<k>.vtu with "imove", and set0.pvd.
+inline void write_aquagpusph(const fs::path& folder, const ForeignFlow& flow = {}) {
+  std::string list;
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const auto p = flow.particles(i, 1, -3);
+    const std::string name = "set0." + std::to_string(i) + ".vtu";
+    write_vtu(folder / name, p.position,
+              data_array("id", "UInt32", 1, numbers_from(0, p.position.size())) +
+                  data_array("u", "Float32", 3, p.velocity) +
+                  data_array("p", "Float32", 1, p.pressure) +
+                  data_array("imove", "Int32", 1, p.type),
+              "", std::nullopt);
+    list += "<DataSet timestep=\"" + digits17(i * ForeignFlow::interval) +
+            "\" group=\"\" part=\"0\" file=\"" + name + "\"/>\n";
+  }
+  write_text(folder / "set0.pvd",
+             "<?xml version=\"1.0\"?><VTKFile type=\"Collection\" version=\"0.1\"><Collection>" +
+                 list + "</Collection></VTKFile>\n");
 }
 
 }  // namespace surge::compare::testing

@@ -1,8 +1,12 @@
 """The page's own rules: values, drawings and what is escaped (compare/report/page/render.py)."""
 
+import base64
 import importlib.util
+import io
+import json
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2] / "compare/report/page/render.py"
@@ -52,6 +56,43 @@ class Page(unittest.TestCase):
                   "page": {"figures": []}}
         with self.assertRaises(render.TemplateError):
             render.render(source)
+
+    def test_a_measure_is_named_and_its_element_stays_what_it_is(self):
+        values = render.Values({"m": "rms", "n": "other"})
+        self.assertEqual(values.named("/m", {"rms": "RMS"}), '<data data-key="/m" value="rms">RMS</data>')
+        self.assertIn(">other<", values.named("/n", {"rms": "RMS"}))
+
+    def test_curves_are_the_rows_of_their_tables(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "f.csv").write_text('series,T,Z\n"a ""b""",1,2.5\nother,5,6\n"a ""b""",0,nan\n', encoding="utf-8")
+            curve = {"table": "f", "key": 'a "b"', "x": "T", "y": "Z", "label": "A", "colour": "#000000", "points": False}
+            figure = {"svg": f"{folder}/f.svg", "curves": [curve, {**curve, "key": "nobody"}], "x_label": "T", "y_label": "Z"}
+            found = render.plotted(figure)
+            self.assertEqual(len(found["curves"]), 1)
+            self.assertEqual((found["curves"][0]["x"], found["curves"][0]["y"]), ([0.0, 1.0], [None, 2.5]))
+            self.assertIsNone(render.plotted({**figure, "curves": []}))
+
+    def test_the_archive_is_the_same_for_the_same_numbers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "f.csv").write_text("x\n1\n", encoding="utf-8")
+            figures = [{"svg": f"{folder}/f.svg", "tables": ["f", "not_written"]}]
+            address = render.archive(figures, {"a": "Lobovský"})
+            self.assertEqual(address, render.archive(figures, {"a": "Lobovský"}))
+            data = base64.b64decode(address.removeprefix("data:application/zip;base64,"))
+            with zipfile.ZipFile(io.BytesIO(data)) as stored:
+                self.assertEqual(stored.namelist(), ["metrics.json", "figures/f.csv"])
+                self.assertEqual(json.loads(stored.read("metrics.json")), {"a": "Lobovský"})
+
+    def test_an_alternative_text_has_the_numbers(self):
+        metrics = {"study": {"reference": "v"}, "summary": {"against": "vof"},
+                   "runs": {"m": {"label": "MPS"}, "v": {"label": "VOF"}},
+                   "front": {"m": {"rms_vs_vof": 0.12345}, "v": {"rms_vs_vof": 0.0}},
+                   "observables": {"h@1": {"unit": "m", "runs": {"m": {"label": "MPS", "least": 0.5, "most": 2.0}}}}}
+        figure = {"name": "fig8", "title": "Front", "caption": "Words."}
+        self.assertEqual(render.told(metrics, figure), "Front. RMS of Z/L to the reference: MPS 0.123.")
+        self.assertEqual(render.told(metrics, {**figure, "name": "observable_h_1"}),
+                         "Front, in m. Range: MPS from 0.5 to 2.")
+        self.assertEqual(render.told(metrics, {**figure, "name": "fig1"}), "Front. Words.")
 
     def test_script_data_cannot_end_the_script(self):
         self.assertEqual(render.script_json({"a": "</script>&"}),

@@ -14,10 +14,10 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 
-#include <unistd.h>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -28,35 +28,24 @@
 #include "compare/read/run.hpp"
 #include "compare/study/metrics.hpp"
 #include "particle/support/error.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare::testing {
 
-/// A folder of its own, removed at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("surge_compare_test_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using tests::TemporaryFolder;
 
 inline std::filesystem::path write_text(const std::filesystem::path& file,
                                         const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file) << text;
   return file;
+}
+
+/// How many seeded mutations of each kind of source are tried: 60 at every run of the tests, 300
+/// and more in the campaign (SURGE_MUTATIONS).
+inline unsigned mutation_count() {
+  const char* asked = std::getenv("SURGE_MUTATIONS");
+  return asked ? static_cast<unsigned>(std::stoul(asked)) : 60U;
 }
 
 /// The message of the error that an action throws; empty where it throws none.
@@ -92,6 +81,8 @@ inline Physics dam_break() {
   physics.obstacles.emplace();
   physics.open = {"y+"};
   physics.periodic.emplace();
+  physics.motion = nlohmann::json(nullptr);
+  physics.moving_walls = nlohmann::json::array();
   return physics;
 }
 

@@ -2,6 +2,7 @@
 
 #include "compare/study/study_result.hpp"
 #include "tests/compare/synthetic.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare::testing {
 
@@ -17,6 +18,9 @@ class SyntheticStudy {
     write("mps-a", "mps", 0.02 * length);
     write("sph-a", "sph", -0.05 * length);
     write_text(folder_ / "reference/late.csv", late_series());
+    std::filesystem::create_directories(folder_ / "studies");
+    std::filesystem::copy(std::filesystem::path(tests::sources()) / "compare/studies/alves_dreux",
+                          folder_ / "studies/alves_dreux");
     write_text(folder_ / "studies/study.toml", text("Dam <b>break</b> & \"more\""));
   }
 

@@ -98,5 +98,57 @@ TEST(WallCollision, NoRandomPathPassesAWall) {
   }
 }
 
+// Beneath the floor, in a corner, beneath a box on the floor, in that box, beneath a piston.
+TEST(WallCollision, FreeSurfaceOfAWallIsWhereWaterCanBe) {
+  Case c = tank_with_thin_obstacle();
+  c.obstacles = {{{0.5, 0.0, 0.0}, {0.7, 0.4, 0.0}}};
+  c.moving_walls.push_back({"piston", {{0.0, 0.0, 0.0}, {0.1, 2.0, 0.0}}, {1.0, 0.0, 0.0}, {}});
+  c.moving_walls.back().law.kind = ScalarMotion::Kind::constant;
+  c.moving_walls.back().law.speed = 0.1;
+  c.moving_walls.back().law.stop = 10.0;
+  WallCollision<2> walls(c, 0.0, 0.0);
+  walls.move_walls(0.0, 1.0);  // the piston's face is at 0.2
+  const auto expect = [&](Vec<2> x, Vec<2> surface) {
+    const auto found = walls.free_surface_of_wall(x);
+    ASSERT_TRUE(found.has_value()) << x[0] << ", " << x[1];
+    EXPECT_NEAR((*found)[0], surface[0], 1e-12) << x[0] << ", " << x[1];
+    EXPECT_NEAR((*found)[1], surface[1], 1e-12) << x[0] << ", " << x[1];
+  };
+  expect({0.3, -0.02}, {0.3, 0.0});
+  expect({1.03, -0.02}, {1.0, 0.0});
+  expect({1.03, 0.7}, {1.0, 0.7});
+  expect({0.69, -0.01}, {0.7, 0.0});
+  expect({0.69, 0.005}, {0.7, 0.005});
+  expect({0.6, 0.39}, {0.6, 0.4});
+  expect({0.19, -0.01}, {0.2, 0.0});
+  expect({0.17, 0.02}, {0.2, 0.02});
+}
+
+TEST(WallCollision, WhatReachesAPeriodicSideGoesOnBehindIt) {
+  Case c;
+  c.dimension = 3;
+  c.has_tank = true;
+  c.tank.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.1}};
+  c.tank.periodic[2] = true;
+  c.obstacles = {{{0.4, 0.0, 0.0}, {0.6, 0.5, 0.1}}};
+  const WallCollision<3> walls(c, 0.0, 0.0);
+  const auto in_box = walls.free_surface_of_wall({0.55, 0.2, 0.01});
+  ASSERT_TRUE(in_box.has_value());
+  EXPECT_EQ(*in_box, (Vec<3>{0.6, 0.2, 0.01}));
+  const auto below = walls.free_surface_of_wall({0.55, -0.01, 0.01});
+  ASSERT_TRUE(below.has_value());
+  EXPECT_EQ(*below, (Vec<3>{0.6, 0.0, 0.01}));
+}
+
+TEST(WallCollision, ABoxBetweenOthersHasNoFreeSurface) {
+  Case c;
+  c.dimension = 2;
+  c.has_tank = true;
+  c.tank.box = {{0.0, 0.0, 0.0}, {1.0, 1.0, 0.0}};
+  c.obstacles = {{{0.0, 0.0, 0.0}, {0.5, 1.0, 0.0}}, {{0.5, 0.0, 0.0}, {1.0, 1.0, 0.0}}};
+  const WallCollision<2> walls(c, 0.0, 0.0);
+  EXPECT_FALSE(walls.free_surface_of_wall({0.45, 0.5}).has_value());
+}
+
 }  // namespace
 }  // namespace surge

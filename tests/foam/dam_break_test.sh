@@ -68,6 +68,9 @@ run() {
   make_case "$folder"
   "$folder/Allrun" >"$scratch/output"
   [[ -f $folder/0.01/alpha.water && -f $folder/0.02/alpha.water ]] || fail "no time directories"
+  [[ -f $folder/vof.foam ]] || fail "nothing for ParaView to open"
+  [[ $(ls "$folder/0.01") == $'U\nalpha.water\np\nuniform' ]] || fail "frame: $(ls "$folder/0.01")"
+  [[ -f $folder/0.02/phi && -f $folder/0.02/p_rgh ]] || fail "last frame: $(ls "$folder/0.02")"
   manifest_holds "$folder" 'm["finished"] is True' 'm["program"] == "interFoam"' \
     'm["threads"] == 1' 'm["cells"] == 36 * 10**2' 'm["simulated_s"] == 0.02' \
     'm["steps"] == log.count("\nTime = ") > 20' 'abs(m["water_volume_change"]) < 1e-6' \

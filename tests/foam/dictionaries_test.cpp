@@ -10,6 +10,7 @@
 #include "compare/read/foam_dictionary.hpp"
 #include "foam_cases/gates.hpp"
 #include "tests/foam/foam_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge::foam {
 namespace {
@@ -24,9 +25,6 @@ using testing::HasSubstr;
 /// A made case on the disk, where #include finds what it names.
 class Dictionaries : public testing::Test {
  protected:
-  Dictionaries() : folder_(fs::path(testing::TempDir()) / ("foam" + std::to_string(getpid()))) {}
-  ~Dictionaries() override { fs::remove_all(folder_); }
-
   void write(const FoamCase& c) {
     fs::remove_all(folder_);
     write_case(case_files(c), folder_, false);
@@ -35,7 +33,8 @@ class Dictionaries : public testing::Test {
     return FoamDictionary::read(folder_ / path, folder_);
   }
 
-  fs::path folder_;
+  tests::TemporaryFolder files_;
+  const fs::path folder_ = files_.path() / "case";
 };
 
 TEST_F(Dictionaries, HoldTheCaseAndTheSettings) {
@@ -205,7 +204,7 @@ std::string file_text(const fs::path& file) {
 }
 
 TEST(DamBreak, InTheRepositoryIsWhatIsMade) {
-  const fs::path root = SURGE_SOURCE_DIR, folder = root / "foam_cases/damBreak2D";
+  const fs::path root = tests::sources(), folder = root / "foam_cases/damBreak2D";
   const Files files = case_files(read_foam_case(root / "particle/cases/dam_break.toml", {}, {}));
   for (const auto& [path, text] : files) {
     EXPECT_EQ(text, file_text(folder / path))

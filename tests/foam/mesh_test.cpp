@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "foam_cases/divisions.hpp"
 #include "foam_cases/size.hpp"
@@ -129,6 +130,10 @@ TEST(Mesh, DangerousSizesAreRefusedWithNumbers) {
   EXPECT_EQ(size.cells, 1500);
   EXPECT_EQ(size.frames, 3);
   EXPECT_GT(size.disk, 3 * 1500 * 8 * 6);
+  const nlohmann::json told = to_json(size);
+  EXPECT_EQ(told.at("cells"), 1500);
+  EXPECT_EQ(told.at("memory_bytes"), size.memory);
+  EXPECT_EQ(told.size(), 5U);
   CaseSize large = size;
   large.disk = 1e24;
   EXPECT_THROW(check_disk(large, "somewhere/new"), Error);

@@ -13,6 +13,7 @@
 #include "particle/io/run_folder.hpp"
 #include "tests/case/case_fixture.hpp"
 #include "tests/io/restart_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -25,7 +26,7 @@ class CheckpointFile : public testing::Test {
  protected:
   CheckpointFile() {
     const auto solver = computation_.make_solver<2>();
-    for (int k = 0; k < 5; ++k) record_.add(solver->step(1e-3));
+    for (int k = 0; k < 5; ++k) record_.add(solver->step(1e-3), solver->time());
     record_.started = "2010-05-03T12:00:00Z";
     record_.frames = 2;
     record_.simulated = solver->time();
@@ -84,7 +85,7 @@ class CheckpointFile : public testing::Test {
     return refusal();
   }
 
-  test::TemporaryFolder folder_{"checkpoint"};
+  tests::TemporaryFolder folder_;
   std::filesystem::path file_ = folder_.path() / checkpoint_name;
   Computation computation_ = test::make_computation();
   RunRecord record_;

@@ -10,6 +10,7 @@
 #include "particle/support/error.hpp"
 #include "tests/case/case_fixture.hpp"
 #include "tests/io/full_disk.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -87,7 +88,7 @@ TEST(FrameQueue, AnErrorOfTheThreadReachesTheCaller) {
 }
 
 TEST(FrameQueue, AFolderThatVanishesIsAnError) {
-  const test::TemporaryFolder folder("vanished");
+  const tests::TemporaryFolder folder;
   FrameQueue queue(FrameWriter(folder.path(), "density"));
   queue.push(frame_at(0.0));
   queue.finish();
@@ -97,7 +98,7 @@ TEST(FrameQueue, AFolderThatVanishesIsAnError) {
 }
 
 TEST(FrameQueue, AFullDiskIsAnErrorAndLeavesNoFrame) {
-  const test::TemporaryFolder folder("full");
+  const tests::TemporaryFolder folder;
   FrameQueue queue(FrameWriter(folder.path(), "density"));
   {
     const test::FullDisk full(100);
@@ -109,7 +110,7 @@ TEST(FrameQueue, AFullDiskIsAnErrorAndLeavesNoFrame) {
 }
 
 TEST(FrameQueue, WritesNothingThroughLinks) {
-  const test::TemporaryFolder folder("frame_link");
+  const tests::TemporaryFolder folder;
   FrameQueue queue(FrameWriter(folder.path(), "density"));
   const auto target = folder.path() / "target";
   for (const char* name : {"frames/frame_00000.vtp.tmp", "frames/frame_00000.vtp"})

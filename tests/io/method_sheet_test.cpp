@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -87,7 +88,7 @@ TEST(MethodSheet, EveryFunctionThatTheStepCallsHasItsStage) {
   for (const Method& entry : methods()) {
     const std::string method(entry.name);
     const auto stages = stages_of(method);
-    const std::string folder = std::string(SURGE_SOURCE_DIR) + "/particle/" + method;
+    const std::string folder = tests::sources() + "/particle/" + method;
     const std::string source = test::read_text(folder + "/solver.cpp");
     const auto start = source.find("::step(double dt_limit) {");
     ASSERT_NE(start, std::string::npos);
@@ -120,7 +121,7 @@ TEST(MethodSheet, StagesNameTheEquationsOfThePaper) {
 // What the build's script makes of a source: calls by plain name in their order, comments of the
 // declarations, and nothing else.
 TEST(MethodSheet, StagesFollowTheSource) {
-  const test::TemporaryFolder folder("stages");
+  const tests::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "toy");
   std::ofstream(folder.path() / "toy/solver.hpp") << R"(
 template <int D>
@@ -150,8 +151,8 @@ void f() { after(); }
 )";
   const std::string output = (folder.path() / "stages.cpp").string();
   const std::string command = "cmake -DSOURCE_DIR='" + folder.path().string() +
-                              "' -DMETHODS=toy -DOUTPUT='" + output +
-                              "' -P '" SURGE_SOURCE_DIR "/particle/io/describe_step.cmake'";
+                              "' -DMETHODS=toy -DOUTPUT='" + output + "' -P '" + tests::sources() +
+                              "/particle/io/describe_step.cmake'";
   ASSERT_EQ(std::system(command.c_str()), 0);
   EXPECT_THAT(test::read_text(output), testing::HasSubstr(R"list(list_of_toy[] = {
     {"step_size", R"text()text", "", ""},

@@ -11,6 +11,7 @@
 #include "particle/io/checkpoint.hpp"
 #include "tests/case/case_fixture.hpp"
 #include "tests/io/restart_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -35,7 +36,7 @@ double limit_of(int step) {
 
 template <int D>
 void expect_restarts_to_agree(const Computation& computation) {
-  const test::TemporaryFolder folder("restart");
+  const tests::TemporaryFolder folder;
   std::mt19937 random(20100503);
   std::vector<int> at;
   for (int k = 0; k < moments(); ++k)
@@ -127,7 +128,7 @@ TEST(RestartOfChoices, IsTheRunThatWentOn) {
   expect_restarts_to_agree(with({"search.neighbours=all_pairs"}));
   expect_restarts_to_agree(with({"method.name=sph", "search.neighbours=all_pairs"}));
   const auto periodic = [](const std::vector<std::string>& overrides) {
-    return read_computation(SURGE_SOURCE_DIR "/particle/cases/poiseuille.toml", overrides);
+    return read_computation(tests::sources() + "/particle/cases/poiseuille.toml", overrides);
   };
   expect_restarts_to_agree(periodic({"method.preset=improved"}));
   expect_restarts_to_agree(periodic({"method.name=sph", "method.preset=delta-plus"}));

@@ -7,6 +7,7 @@
 
 #include "particle/io/restart_error.hpp"
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 constexpr const char* our_manifest = R"({"program": "surge-particle"})";
 
 TEST(FolderLock, KeepsTheSecondWriterOutUntilTheFirstIsGone) {
-  const test::TemporaryFolder folder("lock");
+  const tests::TemporaryFolder folder;
   const auto run = folder.path() / "run";
   std::optional<FolderLock> first(run);
   try {
@@ -29,7 +30,7 @@ TEST(FolderLock, KeepsTheSecondWriterOutUntilTheFirstIsGone) {
 }
 
 TEST(FolderLock, DoesNotWriteThroughALink) {
-  const test::TemporaryFolder folder("lock_link");
+  const tests::TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "run");
   std::filesystem::create_symlink(folder.path() / "target", folder.path() / "run/.lock");
   EXPECT_THROW(FolderLock{folder.path() / "run"}, Error);
@@ -37,7 +38,7 @@ TEST(FolderLock, DoesNotWriteThroughALink) {
 }
 
 TEST(FolderLock, LeavesTheFolderFitForARun) {
-  const test::TemporaryFolder folder("lock_claim");
+  const tests::TemporaryFolder folder;
   const FolderLock lock(folder.path() / "run");
   EXPECT_NO_THROW(claim_run_folder(folder.path() / "run", our_manifest, false));
 }
@@ -67,7 +68,7 @@ class OlderRun : public testing::Test {
       EXPECT_EQ(test::read_text(run_ / name), "old") << name;
   }
 
-  test::TemporaryFolder folder_{"older_run"};
+  tests::TemporaryFolder folder_;
   std::filesystem::path run_ = folder_.path() / "run";
 };
 
@@ -150,7 +151,7 @@ class CutBack : public testing::Test {
       return error.what();
     }
   }
-  test::TemporaryFolder folder_{"cut_back"};
+  tests::TemporaryFolder folder_;
   std::filesystem::path run_ = folder_.path();
 };
 

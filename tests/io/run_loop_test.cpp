@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -66,7 +67,7 @@ class RunLoopTest : public testing::Test {
     return test::read_text(folder_.path() / name);
   }
 
-  test::TemporaryFolder folder_{"run_loop"};
+  tests::TemporaryFolder folder_;
   Case case_ = test::make_case();  // 0.02 s, a frame every 0.005 s
   RunRecord record_;
   std::ostringstream progress_;

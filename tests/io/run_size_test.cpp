@@ -82,6 +82,17 @@ TEST(RunSize, NoSizeIsTooLargeToBeTold) {
   }
 }
 
+TEST(RunSize, RunsWithoutAnEndAreRefused) {
+  for (const char* setting : {"sph.acoustic_courant=1e-308", "fluid.kinematic_viscosity=1e300"}) {
+    try {
+      static_cast<void>(test::make_computation({"method.name=sph", setting}));
+      ADD_FAILURE() << "accepted " << setting;
+    } catch (const Error& error) {
+      EXPECT_THAT(error.what(), HasSubstr("expected at most 1e+12 steps")) << setting;
+    }
+  }
+}
+
 TEST(RunSize, BytesForPeople) {
   EXPECT_EQ(bytes_text(0.0), "0 B");
   EXPECT_EQ(bytes_text(1540.0), "1.5 kB");

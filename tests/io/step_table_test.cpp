@@ -9,6 +9,7 @@
 #include "particle/support/error.hpp"
 #include "tests/case/case_fixture.hpp"
 #include "tests/io/full_disk.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -25,7 +26,7 @@ std::string said_by(const std::function<void()>& action) {
 }
 
 TEST(StepTable, GoesOnWithTheTableThatIsThere) {
-  const test::TemporaryFolder folder("step_table");
+  const tests::TemporaryFolder folder;
   const auto file = folder.path() / "steps.csv";
   {
     StepTable table(file, {"a"});
@@ -47,7 +48,7 @@ TEST(StepTable, GoesOnWithTheTableThatIsThere) {
 }
 
 TEST(StepTable, EndsWithAWholeRowWhereTheDiskIsFull) {
-  const test::TemporaryFolder folder("step_table_full");
+  const tests::TemporaryFolder folder;
   const auto file = folder.path() / "steps.csv";
   {
     const test::FullDisk full(1000);
@@ -66,7 +67,7 @@ TEST(StepTable, EndsWithAWholeRowWhereTheDiskIsFull) {
 }
 
 TEST(StepTable, NamesTheCause) {
-  const test::TemporaryFolder folder("step_table_cause");
+  const tests::TemporaryFolder folder;
   EXPECT_THAT(said_by([&] { StepTable(folder.path() / "no" / "steps.csv", {}); }),
               HasSubstr("found No such file or directory"));
   std::filesystem::create_symlink(folder.path() / "else", folder.path() / "steps.csv");

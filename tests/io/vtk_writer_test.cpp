@@ -11,6 +11,7 @@
 
 #include "particle/support/error.hpp"
 #include "tests/case/case_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -31,7 +32,7 @@ Particles<2> three_particles() {
 }
 
 TEST(FrameWriter, FramesReadBackWithVtk) {
-  const test::TemporaryFolder folder("frames");
+  const tests::TemporaryFolder folder;
   FrameWriter writer(folder.path(), "density");
   writer.write(take_snapshot<2>(three_particles(), 0.125));
 
@@ -64,7 +65,7 @@ TEST(FrameWriter, FramesReadBackWithVtk) {
 }
 
 TEST(FrameWriter, CollectionListsEveryFrameAfterEachWrite) {
-  const test::TemporaryFolder folder("collection");
+  const tests::TemporaryFolder folder;
   FrameWriter writer(folder.path(), "number_density");
   for (const double time : {0.0, 0.005}) writer.write(take_snapshot<2>(three_particles(), time));
   const std::string pvd = test::read_text(folder.path() / "particles.pvd");
@@ -76,7 +77,7 @@ TEST(FrameWriter, CollectionListsEveryFrameAfterEachWrite) {
 }
 
 TEST(FrameWriter, SaysWhereItCannotWrite) {
-  const test::TemporaryFolder folder("blocked");
+  const tests::TemporaryFolder folder;
   std::ofstream(folder.path() / "frames") << "a file in the way";
   EXPECT_THROW(FrameWriter(folder.path(), "density"), Error);
 }
@@ -87,10 +88,15 @@ TEST(Snapshot, CountsNonfiniteValues) {
   p.x[1][0] = std::nan("");
   p.v[0][2] = -std::numeric_limits<double>::infinity();
   EXPECT_EQ(count_nonfinite(p), 2U);
+  // So many that threads share the work: first, last and in between.
+  Field many(200001, 1.0);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{100000}, many.size() - 1})
+    many[i] = std::nan("");
+  EXPECT_EQ(count_nonfinite(many), 3U);
 }
 
 TEST(FrameWriter, ParticlesFarFromTheOriginKeepTheirPlaces) {
-  const test::TemporaryFolder folder("far_frames");
+  const tests::TemporaryFolder folder;
   Particles<2> p = three_particles();
   p.x[0] = {1e6 + 0.002, 1e6, 1e6 + 0.001};
   FrameWriter writer(folder.path(), "density");

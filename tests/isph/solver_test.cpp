@@ -119,6 +119,23 @@ TYPED_TEST(IsphSolver, SurfaceLiesHalfASpacingOutsideItsParticles) {
   }
 }
 
+// The top layer is the surface up to the walls, whose dry part above it fills nothing, and in no
+// corner of the floor is there one.
+TYPED_TEST(IsphSolver, SurfaceReachesToDryWallsAndIsNowhereElse) {
+  constexpr int D = TypeParam::value;
+  Flow c = small_dam(D);
+  const double depth = D == 2 ? 0.0 : 0.06;
+  c.tank.box.upper = {0.1, 0.2, depth};
+  c.blocks.front().box.upper = {0.1, 0.08, depth};
+  const auto solver = solver_of<D>(c);
+  const auto& p = solver.particles();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.type[i] != ParticleType::fluid) continue;
+    EXPECT_EQ(p.density[i]<c.method.surface_lambda, p.x[1][i]> 0.07)
+        << p.density[i] << " at " << p.x[0][i] << ", " << p.x[1][i];
+  }
+}
+
 TYPED_TEST(IsphSolver, WallsAreSmooth) {
   constexpr int D = TypeParam::value;
   Flow c = uneven_still_water(D);

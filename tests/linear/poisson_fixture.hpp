@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -30,6 +31,7 @@ class LatticeSystem {
     for (std::size_t i = 0; i < particle_.size(); ++i) add_row(particle_[i]);
     system.dimension = lattice_.dimension;
     system.spacing = 1.0;
+    system.mean_square = mean_square();
     if (lattice_.periodic) system.period[0] = lattice_.counts[0];
   }
 
@@ -92,6 +94,25 @@ class LatticeSystem {
     });
   }
 
+  [[nodiscard]] double mean_square() const {
+    const int reach = static_cast<int>(std::ceil(lattice_.radius));
+    Cell lower{};
+    Cell upper{1, 1, 1};
+    for (std::size_t a = 0; a < static_cast<std::size_t>(lattice_.dimension); ++a) {
+      lower[a] = -reach;
+      upper[a] = reach + 1;
+    }
+    double weights = 0.0;
+    double moment = 0.0;
+    each(lower, upper, [&](const Cell& c) {
+      const double r = std::hypot(c[0], c[1], c[2]);
+      if (r == 0.0 || r >= lattice_.radius) return;
+      weights += lattice_.radius / r - 1.0;
+      moment += (lattice_.radius / r - 1.0) * c[0] * c[0];
+    });
+    return moment / weights;
+  }
+
   void add_row(const Cell& c) {
     const Point& here = point_[index(c)];
     const int reach = static_cast<int>(std::ceil(lattice_.radius + 2 * lattice_.jitter));
@@ -134,11 +155,41 @@ class LatticeSystem {
   std::vector<Cell> particle_;
 };
 
+/// Uniform in -1 to 1, the same for the same seed.
+inline Field noise(std::size_t n, unsigned seed = 3) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  Field field(n, 0.0);
+  for (double& value : field) value = uniform(random);
+  return field;
+}
+
+inline double largest_difference(const Field& a, const Field& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
 /// The right side that makes `solution` exact.
 inline Field rhs_of(const PoissonSystem& system, const Field& solution) {
   Field rhs;
   multiply(system, solution, rhs);
   return rhs;
+}
+
+/// The same equations with the unknowns numbered from the end.
+inline PoissonSystem in_reverse(const PoissonSystem& system) {
+  PoissonSystem other = system;
+  const auto last = static_cast<std::int32_t>(system.size()) - 1;
+  std::reverse(other.column.begin(), other.column.end());
+  for (std::int32_t& column : other.column) column = last - column;
+  std::reverse(other.value.begin(), other.value.end());
+  std::reverse(other.row_start.begin(), other.row_start.end());
+  for (std::int32_t& start : other.row_start) start = system.row_start.back() - start;
+  std::reverse(other.diagonal.begin(), other.diagonal.end());
+  std::reverse(other.rhs.begin(), other.rhs.end());
+  for (Field& x : other.x) std::reverse(x.begin(), x.end());
+  return other;
 }
 
 }  // namespace surge::linear::testing

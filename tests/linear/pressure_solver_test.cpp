@@ -9,23 +9,16 @@
 #include <limits>
 #include <string>
 
-#include "particle/linear/direct.hpp"
 #include "particle/support/error.hpp"
 #include "tests/linear/poisson_fixture.hpp"
 
 namespace surge::linear {
 namespace {
 
+using testing::largest_difference;
 using testing::Lattice;
 using testing::LatticeSystem;
-
-Field noise(std::size_t n, unsigned seed = 3) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  Field field(n, 0.0);
-  for (double& value : field) value = uniform(random);
-  return field;
-}
+using testing::noise;
 
 // Plain Gaussian elimination, which a symmetric positive definite matrix needs no pivots for.
 Field dense_solution(const PoissonSystem& system) {
@@ -52,12 +45,6 @@ Field dense_solution(const PoissonSystem& system) {
     x[i] /= a[i][i];
   }
   return x;
-}
-
-double largest_difference(const Field& a, const Field& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
 }
 
 double largest(const Field& a) {
@@ -239,112 +226,6 @@ INSTANTIATE_TEST_SUITE_P(Ppe, EverySolver,
                          ::testing::Values(Solver::iccg, Solver::cholmod, Solver::multigrid),
                          name_of);
 
-class Multigrid : public ::testing::Test {
- protected:
-  static SolveReport solve(const PoissonSystem& system, Field& p, double re = 4.0,
-                           double tolerance = 1e-6) {
-    Params params;
-    params.solver = Solver::multigrid;
-    params.tolerance = tolerance;
-    params.radius = re;
-    return PressureSolver(params).solve(system, p);
-  }
-};
-
-TEST_F(Multigrid, NeedsAsManyIterationsForManyParticlesAsForFew) {
-  for (const double re : {2.1, 4.0}) {
-    std::vector<int> iterations;
-    for (const int width : {20, 60, 180}) {
-      Lattice lattice{.counts = {width, 2 * width, 1}, .jitter = 0.2, .radius = re};
-      PoissonSystem system = LatticeSystem(lattice).system;
-      system.rhs = noise(system.size());
-      Field p;
-      iterations.push_back(solve(system, p, re).iterations);
-    }
-    EXPECT_LE(iterations.back(), re < 3.0 ? 20 : 13);
-    EXPECT_LE(iterations.back(), iterations.front() + 4);
-  }
-}
-
-TEST_F(Multigrid, NeedsFewIterationsInThreeDimensions) {
-  Lattice lattice{.counts = {20, 20, 40}, .dimension = 3, .jitter = 0.2, .radius = 3.1};
-  PoissonSystem system = LatticeSystem(lattice).system;
-  system.rhs = noise(system.size());
-  Field p;
-  EXPECT_LE(solve(system, p, 3.1).iterations, 12);
-}
-
-TEST_F(Multigrid, GivesTheSameBitsWithAnyNumberOfThreads) {
-  PoissonSystem system = LatticeSystem(Lattice{.counts = {150, 300, 1}}).system;
-  system.rhs = noise(system.size());
-  const int threads = omp_get_max_threads();
-  std::vector<Field> solutions;
-  for (const int n : {1, 2, 3}) {
-    omp_set_num_threads(n);
-    solutions.emplace_back();
-    solve(system, solutions.back());
-  }
-  omp_set_num_threads(threads);
-  EXPECT_EQ(solutions[0], solutions[1]);
-  EXPECT_EQ(solutions[0], solutions[2]);
-}
-
-TEST_F(Multigrid, SeesThroughAPeriodicBoundary) {
-  for (const int width : {5, 50, 130}) {
-    Lattice lattice{.counts = {std::max(width, 9), 100, 1}, .periodic = true};
-    PoissonSystem system = LatticeSystem(lattice).system;
-    const Field exact = noise(system.size());
-    system.rhs = testing::rhs_of(system, exact);
-    Field p;
-    EXPECT_LE(solve(system, p, 4.0, 1e-10).iterations, 24) << width;
-    EXPECT_LT(largest_difference(p, exact), 1e-6);
-  }
-}
-
-// Spray: most particles have p = 0, the unknowns are alone or in small groups, one of them far off.
-TEST_F(Multigrid, SolvesSpray) {
-  const PoissonSystem full = LatticeSystem(Lattice{.counts = {80, 80, 1}}).system;
-  const Field chance = noise(full.size(), 11);
-  std::vector<std::int32_t> number(full.size(), -1);
-  std::int32_t count = 0;
-  for (std::size_t i = 0; i < full.size(); ++i) number[i] = chance[i] > 0.9 ? count++ : -1;
-  PoissonSystem system;
-  system.row_start = {0};
-  for (std::size_t i = 0; i < full.size(); ++i) {
-    if (number[i] < 0) continue;
-    for (int k = full.row_start[i]; k < full.row_start[i + 1]; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      const std::int32_t j = number[static_cast<std::size_t>(full.column[at])];
-      if (j < 0) continue;
-      system.column.push_back(j);
-      system.value.push_back(full.value[at]);
-    }
-    system.row_start.push_back(static_cast<std::int32_t>(system.column.size()));
-    system.diagonal.push_back(full.diagonal[i]);
-    for (std::size_t a = 0; a < 3; ++a) system.x[a].push_back(full.x[a][i]);
-  }
-  system.row_start.push_back(system.row_start.back());
-  system.diagonal.push_back(40.0);
-  system.x[0].push_back(3e12);
-  system.x[1].push_back(-1e5);
-  system.x[2].push_back(0.0);
-  const Field exact = noise(system.size());
-  system.rhs = testing::rhs_of(system, exact);
-  Field p;
-  EXPECT_LE(solve(system, p, 4.0, 1e-10).iterations, 24);
-  EXPECT_LT(largest_difference(p, exact), 1e-8);
-}
-
-TEST_F(Multigrid, ScalesAGuessThatIsFarTooLarge) {
-  PoissonSystem system = LatticeSystem(Lattice{}).system;
-  const Field exact = noise(system.size());
-  system.rhs = testing::rhs_of(system, exact);
-  Field p = exact;
-  for (double& value : p) value *= 1e4;
-  EXPECT_LE(solve(system, p).iterations, 1);
-  EXPECT_LT(largest_difference(p, exact), 1e-6);
-}
-
 TEST(PressureSolver, SaysWhenIterationsRunOut) {
   PoissonSystem system = LatticeSystem(Lattice{}).system;
   system.rhs = noise(system.size());
@@ -366,28 +247,6 @@ TEST(PressureSolver, RefusesImpossibleTolerances) {
   params.tolerance = 1e-6;
   params.max_iterations = 0;
   EXPECT_THROW(PressureSolver{params}, Error);
-}
-
-TEST(SparseCholesky, AnalysesAGraphOnce) {
-  PoissonSystem system = LatticeSystem(Lattice{}).system;
-  SparseCholesky cholesky;
-  for (int change = 0; change < 3; ++change) {
-    for (double& value : system.diagonal) value += 1.0;
-    const Field exact = noise(system.size());
-    Field x;
-    cholesky.factorise(system);
-    cholesky.solve(testing::rhs_of(system, exact), x);
-    EXPECT_LT(largest_difference(x, exact), 1e-10);
-  }
-  EXPECT_EQ(cholesky.analyses(), 1);
-  cholesky.factorise(LatticeSystem(Lattice{.counts = {11, 12, 1}}).system);
-  EXPECT_EQ(cholesky.analyses(), 2);
-}
-
-TEST(SparseCholesky, RefusesAnIndefiniteMatrix) {
-  PoissonSystem system = LatticeSystem(Lattice{.counts = {8, 8, 1}}).system;
-  system.diagonal[5] = -1.0;
-  EXPECT_THROW(SparseCholesky().factorise(system), Error);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct Layer {
   Particles<2> p;
   CellGrid<2> grid;
   Field fluid_volume;
-  std::vector<std::uint32_t> fluid_before;
+  ClusterLists<2> lists;
+  Survey<2> found;
   Surroundings<2> surroundings{h, l0, 1.0};
   WendlandC2<2> kernel{h};
 
@@ -43,7 +44,7 @@ struct Layer {
       p.density[i] = rho;
     }
     fluid_volume.assign(p.size(), l0 * l0);
-    for (std::uint32_t i = 0; i <= p.size(); ++i) fluid_before.push_back(i);
+    found = Survey<2>(p.size());
   }
   void survey() {
     grid.build(p.x, 2.0 * h, 2);
@@ -51,11 +52,12 @@ struct Layer {
     for (std::size_t i = 0; i < p.size(); ++i) {
       const bool fluid = p.type[i] == ParticleType::fluid;
       fluid_volume[i] = fluid ? l0 * l0 : 0.0;
-      fluid_before[i + 1] = fluid_before[i] + (fluid ? 1 : 0);
     }
-    surroundings.survey(kernel, grid, p, fluid_volume, fluid_before, 1.0);
+    lists.build(grid, p, 2.0 * h);
+    surroundings.survey(kernel, lists, p, fluid_volume, 1.0, found);
   }
-  [[nodiscard]] double shift(int a, std::size_t i) const { return surroundings.shift()[a][i]; }
+  void find_density_rate() { surroundings.find_density_rate(kernel, lists, p, found); }
+  [[nodiscard]] double shift(int a, std::size_t i) const { return found.shift[a][i]; }
   [[nodiscard]] double fastest_shift() const {
     double fastest = 0.0;
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -85,11 +87,9 @@ TEST(Shifting, LeavesALatticeAlone) {
   Layer lattice(count, 0.0, 0.5);
   lattice.survey();
   EXPECT_LT(lattice.fastest_shift(), 1e-12);
-  Field rate(lattice.p.size());
-  lattice.surroundings.density_rate(lattice.kernel, lattice.grid, lattice.p, lattice.fluid_volume,
-                                    lattice.fluid_before, rate);
-  for (const double r : rate) EXPECT_NEAR(r, 0.0, 1e-9);
-  for (const double lambda : lattice.surroundings.lambda()) EXPECT_NEAR(lambda, 1.0, 0.02);
+  lattice.find_density_rate();
+  for (const double r : lattice.found.density_rate) EXPECT_NEAR(r, 0.0, 1e-9);
+  for (const double lambda : lattice.found.lambda) EXPECT_NEAR(lambda, 1.0, 0.02);
 }
 
 TEST(Shifting, SpreadsParticlesEvenly) {
@@ -151,12 +151,12 @@ TEST(Shifting, NothingThroughTheFreeSurface) {
     const double depth = std::min(layer.p.x[1][i], 0.5 - layer.p.x[1][i]) / l0;  // two surfaces
     const double outward = layer.p.x[1][i] > 0.25 ? layer.shift(1, i) : -layer.shift(1, i);
     EXPECT_LT(outward, 1e-12) << depth;
-    EXPECT_EQ(layer.surroundings.near_surface(i), depth < 3.0) << depth;
+    EXPECT_EQ(layer.found.near_surface(i), depth < 3.0) << depth;
     if (depth < 1.0) {
-      EXPECT_NEAR(layer.surroundings.lambda()[i], 0.5, 0.15);
+      EXPECT_NEAR(layer.found.lambda[i], 0.5, 0.15);
     }
     if (depth > 3.0) {
-      EXPECT_NEAR(layer.surroundings.lambda()[i], 1.0, 0.02);
+      EXPECT_NEAR(layer.found.lambda[i], 1.0, 0.02);
     }
   }
 }
@@ -223,7 +223,7 @@ TEST(Shifting, LayersUnderASurfaceFillAGapAtAWall) {
   for (std::size_t i = 0; i < layer.p.size(); ++i) {
     if (layer.p.type[i] != ParticleType::fluid || layer.p.x[1][i] > 4.0 * l0) continue;
     ++seen;
-    EXPECT_TRUE(layer.surroundings.near_surface(i));
+    EXPECT_TRUE(layer.found.near_surface(i));
     EXPECT_LT(layer.shift(1, i), -0.01 * l0);
   }
   EXPECT_EQ(seen, count);
@@ -233,13 +233,11 @@ TEST(Shifting, LayersUnderASurfaceFillAGapAtAWall) {
 TEST(Shifting, DensityFollowsTheVolumeThatAShiftGives) {
   Layer layer(count, 0.2, 0.5);
   layer.survey();
-  Field rate(layer.p.size());
-  layer.surroundings.density_rate(layer.kernel, layer.grid, layer.p, layer.fluid_volume,
-                                  layer.fluid_before, rate);
+  layer.find_density_rate();
   double seen = 0.0;
   double volume = 0.0;
   for (std::size_t i = 0; i < layer.p.size(); ++i) {
-    seen += rate[i];
+    seen += layer.found.density_rate[i];
     for (std::size_t j = 0; j < layer.p.size(); ++j) {
       if (i == j) continue;
       const double dx = std::remainder(layer.p.x[0][j] - layer.p.x[0][i], 1.0);

@@ -143,6 +143,28 @@ TEST(SphSolver, AllPairsAndCellGridAgree) {
   EXPECT_LT(largest_difference(cells, pairs), 1e-12);
 }
 
+// Layers that slide over each other change neighbours all the time: lists that were kept too long
+// would miss some.
+TEST(SphSolver, KeptListsMissNobodyInAShearFlow) {
+  Flow c = free_block(0.01, 6.0);
+  auto cells = solver_of<2>(c);
+  c.search = Search::all_pairs;
+  auto pairs = solver_of<2>(c);
+  const auto start = positions(cells);
+  for (int k = 0; k < 100; ++k) {
+    cells.step(1.0);
+    pairs.step(1.0);
+  }
+  double least = 1.0;
+  double most = -1.0;
+  for (const auto& [id, x] : positions(cells)) {
+    least = std::min(least, x[0] - start.at(id)[0]);
+    most = std::max(most, x[0] - start.at(id)[0]);
+  }
+  EXPECT_GT(most - least, 2.0 * c.spacing) << "the lists were made several times";
+  EXPECT_LT(largest_difference(cells, pairs), 1e-11);
+}
+
 TEST(SphSolver, TheNumberOfThreadsDoesNotMatter) {
   const int before = omp_get_max_threads();
   omp_set_num_threads(1);
@@ -276,7 +298,7 @@ TEST(SphSolver, StableStepKeepsBothLimits) {
   c.method.acoustic_damping = 10.0;
   auto damped = solver_of<2>(c);
   damped.step(1.0);
-  EXPECT_DOUBLE_EQ(damped.stable_step(), 0.05 * h / damped.sound_speed());
+  EXPECT_GT(damped.stable_step(), 0.2 * h / damped.sound_speed()) << "damping does not bind it";
 }
 
 }  // namespace

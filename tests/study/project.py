@@ -19,9 +19,9 @@ def study(build: Path) -> dict:
     return json.loads(subprocess.run(command, cwd=SOURCE, capture_output=True, text=True, check=True).stdout)
 
 
-def make_project(build: Path) -> Path:
+def make_project(build: Path, name: str = "project") -> Path:
     """Below the build folder, whose programs stand there as build/release."""
-    root = build.resolve() / "tests/study/project"
+    root = build.resolve() / "tests/study" / name
     (root / "build").mkdir(parents=True, exist_ok=True)
     links = {name: SOURCE / name for name in ("Allrun", ".ci", "compare", "particle", "foam_cases")}
     links["build/release"] = build.resolve()

@@ -1,8 +1,7 @@
 #include "particle/support/table.hpp"
+#include "tests/places.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -14,13 +13,6 @@ namespace {
 
 class Csv : public testing::Test {
  protected:
-  Csv()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("surge_table_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Csv() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] std::string text(const std::string& name) const {
     std::ifstream in(folder_ / name);
     std::ostringstream all;
@@ -28,7 +20,8 @@ class Csv : public testing::Test {
     return all.str();
   }
 
-  std::filesystem::path folder_;
+  tests::TemporaryFolder files_;
+  const std::filesystem::path folder_ = files_.path();
 };
 
 TEST_F(Csv, QuotesWordsAndWritesNumbersThatReadBack) {

@@ -7,6 +7,7 @@
 
 #include "compare/verification/exact.hpp"
 #include "tests/case/solver_fixture.hpp"
+#include "tests/places.hpp"
 
 // Short, coarse versions of compare/studies/verification.toml for the recommended presets. What a
 // preset does worse than its bar asks is in the report; here it must not become worse than it was
@@ -18,8 +19,7 @@ Computation known_flow(const std::string& name, const std::string& method,
                        const std::string& preset, std::vector<std::string> more) {
   more.push_back("method.name=" + method);
   more.push_back("method.preset=" + preset);
-  return read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/" + name + ".toml",
-                          more);
+  return read_computation(tests::sources() + "/particle/cases/" + name + ".toml", more);
 }
 
 struct Sums {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/case/solver_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -45,8 +46,8 @@ class Hydrostatic : public testing::TestWithParam<std::string> {
   LayerMean run(double lower, double upper) const {
     const std::vector<std::string> choices{"method.name=" + GetParam(), "method.preset=paper",
                                            "time.end=0.5"};
-    const Computation c = read_computation(
-        std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml", choices);
+    const Computation c =
+        read_computation(tests::sources() + "/particle/cases/hydrostatic_tank.toml", choices);
     return GetParam() == "mps" ? run_and_average<mps::Solver<2>>(c, lower, upper, 0.2)
                                : run_and_average<sph::Solver<2>>(c, lower, upper, 0.2);
   }
@@ -94,8 +95,7 @@ double pressure_error(const Computation& c) {
 Computation still_water(const std::vector<std::string>& choices) {
   std::vector<std::string> all = choices;
   all.emplace_back("time.end=2");
-  return read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/hydrostatic_tank.toml",
-                          all);
+  return read_computation(tests::sources() + "/particle/cases/hydrostatic_tank.toml", all);
 }
 
 // The recommended presets, 20 particles over the depth, between 1.5 and 2 s: not the mean but the

@@ -192,10 +192,11 @@ TEST_P(MovingFlow, PistonPushesAPlug) {
       exact += report.dt * 1000.0 * a * (0.3 + 0.5 * a * t * t - p.x[0][i]);
     }
   });
-  // Where water slides along a wall under so strong a gradient, the wall's pressures are uneven: it
-  // is late by up to a seventh in the projections.
-  EXPECT_NEAR(end.mean[0] - 0.2, 0.5 * a * t * t, 0.15 * 0.5 * a * t * t);
-  EXPECT_NEAR(end.velocity[0], a * t, 0.15 * a * t);
+  // Where water slides along a wall under so strong a gradient, the wall's pressures are uneven.
+  // Water that felt the wall's acceleration a step late only would be late by a seventh.
+  const double share = std::string(preset().name) == "paper" ? 0.15 : 0.1;
+  EXPECT_NEAR(end.mean[0] - 0.2, 0.5 * a * t * t, share * 0.5 * a * t * t);
+  EXPECT_NEAR(end.velocity[0], a * t, share * a * t);
   EXPECT_GT(end.leftmost, 0.1 + 0.5 * a * t * t);
   EXPECT_NEAR(impulse / exact, 1.0, 0.25);
 }

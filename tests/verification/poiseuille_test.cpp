@@ -5,6 +5,7 @@
 
 #include "compare/verification/exact.hpp"
 #include "tests/case/solver_fixture.hpp"
+#include "tests/places.hpp"
 
 namespace surge {
 namespace {
@@ -15,7 +16,7 @@ double error_of(const std::string& method, const std::string& preset, const std:
   const std::vector<std::string> choices{"method.name=" + method, "method.preset=" + preset,
                                          "time.end=1", more};
   const Computation c =
-      read_computation(std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
+      read_computation(tests::sources() + "/particle/cases/poiseuille.toml", choices);
   S solver = test::make_solver<S>(c);
   while (solver.time() < c.flow.time.end)
     EXPECT_EQ(solver.step(c.flow.time.end - solver.time()).lost, 0);
@@ -57,8 +58,8 @@ TEST(Poiseuille, SlipWallsDoNotRub) {
   for (const char* method : {"mps", "sph"}) {
     const std::vector<std::string> choices{std::string("method.name=") + method,
                                            "method.preset=paper", "time.end=0.2", "tank.wall=slip"};
-    const Computation c = read_computation(
-        std::string(SURGE_SOURCE_DIR) + "/particle/cases/poiseuille.toml", choices);
+    const Computation c =
+        read_computation(tests::sources() + "/particle/cases/poiseuille.toml", choices);
     const auto largest_deviation = [&](auto solver) {
       while (solver.time() < c.flow.time.end) solver.step(c.flow.time.end - solver.time());
       double largest = 0.0;

@@ -81,6 +81,18 @@ class Repetition(Project):
         (self.root / "runs/second/manifest.json").write_text('{"finished": false}')
         self.succeed(ran=["first", "second", "report"])
 
+    def test_what_was_cut_is_made_again(self):
+        self.succeed(ran=ALL)
+        (self.root / "runs/first/notes.txt").write_text("somebody's own")
+        self.succeed(ran=[])
+        stamp = next((self.root / "runs/first").glob(".finished-*")).stat()
+        manifest = self.root / "runs/first/manifest.json"
+        manifest.write_text(manifest.read_text() + " ")
+        os.utime(manifest, ns=(stamp.st_mtime_ns, stamp.st_mtime_ns))  # as a copy that was cut
+        self.succeed(ran=["first", "report"])
+        (self.root / "report/summary.txt").write_text("")
+        self.succeed(ran=["report"])
+
     def test_what_was_removed_is_made_again(self):
         self.succeed(ran=ALL)
         shutil.rmtree(self.root / "runs/vof")
@@ -140,7 +152,9 @@ class Estimate(Project):
             stamp = next((self.root / "runs" / name).glob(".finished-*"))
             manifest = self.root / "runs" / name / "manifest.json"
             manifest.write_text('{"finished": true, "wall_s": {"total": 1800}}')
-            os.utime(stamp)
+            inputs = json.loads(stamp.read_text())
+            del inputs["files"]  # as an earlier version wrote them
+            stamp.write_text(json.dumps(inputs))
         self.write("build/release/particle/main.cpp.o", "another step")
         self.assertRegex(self.estimated()[0], "about 60 min on .* \\(2 of 2 runs as long as last time")
         self.study(second='"title=another"')

@@ -21,7 +21,7 @@ class Mistakes(Project):
             (["--fast"], "Allrun: unknown option '--fast'; ./Allrun --help lists them"),
             (["--jobs", "many"], "Allrun: --jobs: found 'many', expected a whole number of at least 1"),
             (["--jobs"], "Allrun: --jobs: expected a number"),
-            (["--quick", "--full"], "Allrun: --full: only one of --quick, --full and --study can be chosen"),
+            (["--quick", "--full"], "Allrun: --full: only one of --quick, --full, --study and --catalogue can be chosen"),
             (["--study", "no.toml"], "Allrun: no.toml: there is no such study; "
                                      "there are: compare/studies/dam_break.toml"),
         ]:
@@ -71,7 +71,8 @@ class Mistakes(Project):
         self.study(second='"disk=full"')
         done = self.allrun()
         self.assertNotEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"found [0-9.]+ GB free on its disk, expected room for the 1000000000\.0 GB")
+        self.assertRegex(done.stderr, r"no space for the runs: found [0-9.]+ .?B free on its disk, "
+                                      r"expected room for the 1000000000\.0 GB")
         self.assertEqual(self.calls(), [])
 
     def test_a_dry_run_before_the_build_says_so(self):

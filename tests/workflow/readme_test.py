@@ -1,4 +1,4 @@
-"""What the README says about the sources is true."""
+"""What the README and the pages of docs say about the sources is true."""
 
 import re
 import subprocess
@@ -7,11 +7,23 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 README = (SOURCE / "README.md").read_text(encoding="utf-8")
+PAGES = {path: path.read_text(encoding="utf-8")
+         for path in (SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", SOURCE / "CODE_OF_CONDUCT.md",
+                      *sorted((SOURCE / "docs").glob("*.md")))}
+TEXT = "\n".join(PAGES.values())
 PAPER = range(3, 27)  # its discretised equations
 
 
 def section(title):
-    return README.split(f"\n## {title}\n")[1].split("\n## ")[0]
+    text = PAGES[SOURCE / "docs/paper.md"]
+    return text.split(f"\n## {title}\n")[1].split("\n## ")[0]
+
+
+def blocks(text):
+    """Shell blocks, each as its commands: continued lines are one, and the folder of the examples goes unsaid."""
+    found = re.findall(r"```sh[ a-z]*\n(.*?)```", text, re.DOTALL)
+    return [[" ".join(command.split()).replace("docs/examples/", "")
+             for command in block.replace("\\\n", " ").strip().splitlines()] for block in found]
 
 
 def numbers(text):
@@ -49,37 +61,93 @@ class EquationMap(unittest.TestCase):
 
 class Names(unittest.TestCase):
     def test_every_path_exists(self):
-        paths = re.findall(r"\b(?:particle|compare|foam_cases|tests)/[\w./-]*\w", README)
+        paths = re.findall(r"(?<![\w/.-])(?:particle|compare|foam_cases|tests|docs)/[\w./-]*\w", TEXT)
         self.assertTrue(paths)
-        for path in paths:
+        for path in set(paths) - {"docs/examples/out"}:  # what the example's solver writes
             self.assertTrue((SOURCE / path).exists(), path)
-        for target in re.findall(r"\]\(([^)#:]+)\)", README):
-            self.assertTrue((SOURCE / target).exists(), target)
+
+    def test_every_link_leads_to_a_file(self):
+        for page, text in PAGES.items():
+            for target in re.findall(r"\]\(([^)#:\s]+)\)", text):
+                self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
 
     def test_every_option_of_allrun_exists(self):
         usage = subprocess.run([SOURCE / "Allrun", "--help"], capture_output=True, text=True,
                                check=True).stdout
-        for option in re.findall(r"`\./Allrun (--[\w-]+)|`(--[\w-]+)` (?:prints|says|runs|lists)", README):
-            self.assertIn(option[0] or option[1], usage)
+        found = re.findall(r"\./Allrun (--[\w-]+)", TEXT)
+        found += re.findall(r"`(--[\w-]+)` (?:prints|says|runs|lists)", README)
+        self.assertTrue(found)
+        for option in found:
+            self.assertIn(option, usage)
 
     def test_every_preset_exists(self):
-        presets = re.findall(r"\b[Pp]reset\s+`([\w-]+)`", README)
-        presets += re.findall(r"is preset `([\w-]+)`", README)
+        names = [path.stem for path in (SOURCE / "particle/cases/presets").glob("*.toml")]
+        names += [name.split("-", 1)[1] for name in names]  # without their method's name
+        presets = re.findall(r"\b[Pp]reset\s+`([\w-]+)`", TEXT)
+        presets += re.findall(r"method\.preset ?= ?\"?([\w-]+)", TEXT)
         self.assertTrue(presets)
         for preset in presets:
-            self.assertTrue((SOURCE / f"particle/cases/presets/{preset}.toml").exists(), preset)
+            self.assertIn(preset, names)
 
     def test_every_reference_is_listed_and_cited(self):
-        listed = {int(number) for number in re.findall(r"^(\d+)\. ", section("References"), re.MULTILINE)}
-        text = README.split("\n## References\n")[0]
-        cited = {int(number) for number in re.findall(r"\[(\d+)\](?!\()", text)}
+        references = PAGES[SOURCE / "docs/references.md"]
+        listed = {int(number) for number in re.findall(r"^(\d+)\. ", references, re.MULTILINE)}
+        self.assertEqual(listed, set(range(1, len(listed) + 1)))
+        cited = {int(number) for page, text in PAGES.items() if page.stem != "references"
+                 for found in re.findall(r"\[(\d+(?:, \d+)*)\](?!\()",
+                                         re.sub(r"```.*?```", "", text, flags=re.DOTALL))
+                 for number in found.split(", ")}
         self.assertEqual(cited - listed, set())
+        self.assertTrue(cited)
+
+
+class Readme(unittest.TestCase):
+    def test_it_is_short(self):
+        prose = re.sub(r"<!-- answers.*?<!-- end of answers -->|<!--.*?-->", "", README, flags=re.DOTALL)
+        self.assertLess(len(prose.split()), 700)
+
+    def test_its_recipes_are_those_that_the_tests_run(self):
+        """tests/docs/worked_examples_test.py runs every block of the page."""
+        recipes = blocks(README.split("\n## Three recipes\n")[1].split("\n## ")[0])
+        self.assertEqual(len(recipes), 3)
+        run = [line for block in blocks(PAGES[SOURCE / "docs/worked-examples.md"]) for line in block]
+        for line in (line for block in recipes for line in block):
+            self.assertIn(line, run)
+
+    def test_every_page_is_in_the_site(self):
+        index = PAGES[SOURCE / "docs/index.md"]
+        for page in (SOURCE / "docs").glob("*.md"):
+            if page.stem != "index":
+                self.assertRegex(index, rf"(?m)^{page.stem}$")
+
+    def test_public_ci_runs_what_ci_runs(self):
+        text = (SOURCE / ".github/workflows/ci.yml").read_text(encoding="utf-8")
+        self.assertIn("run: .ci/run ${{ matrix.options }}", text)
+        found = {tuple(pair) for pair in re.findall(r'cxx: ([\w+]+), options: "([^"]*)"', text)}
+        self.assertEqual(found, {(compiler, option) for compiler in ("g++", "clang++")
+                                 for option in ("", "--sanitize")})
 
     def test_version_is_one(self):
         cmake = (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8")
         version = re.search(r"project\(SurgeFront VERSION ([\d.]+)", cmake)[1]
         citation = (SOURCE / "CITATION.cff").read_text(encoding="utf-8")
         self.assertIn(f"\nversion: {version}\n", citation)
+        changes = (SOURCE / "CHANGELOG.md").read_text(encoding="utf-8")
+        released = re.search(r"(?m)^date-released: (\S+)$", citation)[1]
+        self.assertIn(f"\n## [{version}] - {released}\n", changes)
+
+    def test_citation_is_complete(self):
+        import yaml
+        citation = yaml.safe_load((SOURCE / "CITATION.cff").read_text(encoding="utf-8"))
+        for key in ("cff-version", "message", "type", "title", "version", "date-released", "license", "abstract",
+                    "authors", "keywords", "references"):
+            self.assertTrue(citation.get(key), key)
+        for reference in citation["references"]:
+            for key in ("type", "title", "authors"):
+                self.assertTrue(reference.get(key), (key, reference))
+            if reference["type"] == "article":
+                for key in ("journal", "volume", "year", "start", "end"):
+                    self.assertTrue(reference.get(key), (key, reference))
 
 
 if __name__ == "__main__":

@@ -5,10 +5,15 @@ metrics.json holds), `page` (runs, figures and the viewer's data, in the page's 
 are Jinja2's; they escape all text by themselves. Numbers reach the page through Values alone.
 """
 
+import base64
+import csv
+import io
 import json
 import math
 import sys
+import zipfile
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 from jinja2 import DictLoader, Environment, StrictUndefined, TemplateError
 from markupsafe import Markup
@@ -95,6 +100,11 @@ class Values:
             return self._element(pointer, {None: DASH, True: "yes", False: "no"}[value])
         return self._element(pointer, value if isinstance(value, str) else json.dumps(value))
 
+    def named(self, pointer, names):
+        """A word by another that readers know; itself where there is none."""
+        value = self.at(pointer)
+        return self._element(pointer, names.get(value, value))
+
     def shown(self, pointer, decimals):
         """A number that may be missing altogether."""
         return self.number(pointer, decimals) if self.has(pointer) else DASH
@@ -132,6 +142,78 @@ def inline_svg(file, name, label):
     return Markup(ElementTree.tostring(root, encoding="unicode"))
 
 
+def rounded(text):
+    """A number of a table to seven digits; None where it is none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return float(f"{value:.7g}") if math.isfinite(value) else None
+
+
+def plotted(figure):
+    """The curves of a figure for a plot that can be zoomed: its words and, per curve, x and y."""
+    tables = {}
+    curves = []
+    for curve in figure["curves"]:
+        if curve["table"] not in tables:
+            file = Path(figure["svg"]).with_name(curve["table"] + ".csv")
+            with open(file, encoding="utf-8", newline="") as lines:
+                tables[curve["table"]] = list(csv.reader(lines))
+        header, *rows = tables[curve["table"]]
+        x, y = header.index(curve["x"]), header.index(curve["y"])
+        points = [(rounded(row[x]), rounded(row[y])) for row in rows if row[0] == curve["key"]]
+        points = sorted(((a, b) for a, b in points if a is not None), key=lambda point: point[0])
+        if points:
+            curves.append({"label": curve["label"], "colour": curve["colour"], "points": curve["points"],
+                           "x": [a for a, _ in points], "y": [b for _, b in points]})
+    return {"x": figure["x_label"], "y": figure["y_label"], "curves": curves} if curves else None
+
+
+def archive(figures, metrics):
+    """All numbers in one archive, as a data: address: metrics.json and the tables of the figures."""
+    stored = io.BytesIO()
+    with zipfile.ZipFile(stored, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as out:
+        def add(name, content):
+            # Without the time of day, so that the same numbers make the same archive.
+            entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            out.writestr(entry, content)
+        add("metrics.json", json.dumps(metrics, indent=1, ensure_ascii=False) + "\n")
+        for figure in figures:
+            for table in figure["tables"]:
+                file = Path(figure["svg"]).with_name(table + ".csv")
+                if file.is_file():
+                    add(f"figures/{table}.csv", file.read_bytes())
+    return "data:application/zip;base64," + base64.b64encode(stored.getvalue()).decode("ascii")
+
+
+def told(metrics, figure):
+    """What a figure shows, in words with its numbers, for those who cannot see it."""
+    text = figure["title"]
+    reference = metrics.get("study", {}).get("reference")
+    results = []
+    if figure["name"].startswith("fig8"):
+        against = metrics["summary"]["against"]
+        for run, front in metrics["front"].items():
+            rms = front.get(f"rms_vs_{against}")
+            if run != reference and rms is not None:
+                results.append(f"{metrics['runs'][run]['label']} {rms:.3f}")
+        if results:
+            return f"{text}. RMS of Z/L to the reference: {'; '.join(results)}."
+    for key, quantity in metrics.get("observables", {}).items():
+        name = "observable_" + "".join(c if c.isascii() and c.isalnum() else "_" * len(c.encode()) for c in key)
+        if name != figure["name"]:
+            continue
+        for run in quantity["runs"].values():
+            if run["least"] is not None:
+                results.append(f"{run['label']} from {run['least']:.3g} to {run['most']:.3g}")
+        if results:
+            unit = "" if quantity["unit"] == "1" else ", in " + quantity["unit"]
+            return f"{text}{unit}. Range: {'; '.join(results)}."
+    return f"{text}. {figure['caption']}"
+
+
 def script_json(value):
     """JSON whose strings neither end a script element nor trouble an XML reader."""
     text = json.dumps(value, separators=(",", ":"), ensure_ascii=False)
@@ -150,6 +232,8 @@ def render(source):
     figures = {figure["name"]: figure for figure in page["figures"]}
     environment.globals.update(
         v=Values(source["metrics"]), m=source["metrics"], page=page, figures=figures,
+        plotted=plotted, told=lambda figure: told(source["metrics"], figure),
+        archive=lambda: archive(page["figures"], source["metrics"]),
         key=pointer_of, inline_svg=inline_svg, script_json=script_json, dash=DASH,
         file=lambda name: Markup(source["files"][name]))
     return environment.get_template("page.html").render()

@@ -58,6 +58,10 @@
   viewer.makePlot = function (holder, data, seek) {
     const times = data.metrics.T;
     const fronts = data.runs.map((run) => data.metrics.Z_over_L[run.name]);
+    if (!fronts.some((front) => front.some((z) => z !== null))) {  // a flow without a leading edge
+      holder.hidden = true;
+      return {move() {}};
+    }
     const axes = {tEnd: times[times.length - 1], zEnd: data.view.width};
     for (const front of fronts) for (const z of front) axes.zEnd = Math.max(axes.zEnd, z || 0);
     const svg = element("svg", {role: "img", "aria-label": "Leading edge over time, with the time shown"}, holder);

@@ -1,85 +1,60 @@
 "use strict";
-// The report's viewer. Its parts hang on one object, so that they share a page with nothing else.
-const surgeViewer = {};
-
-// From base64 to what is drawn: viewer_encoding.hpp describes the planes.
+// Water in the plane of the picture: canvas, squares and discs, what stands in it.
 (function (viewer) {
-  function bytesOf(base64) {
-    const text = atob(base64);
-    const bytes = new Uint8Array(text.length);
-    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-    return bytes;
-  }
-
-  function reader(track) {
-    const bytes = bytesOf(track.data);
-    const total = track.counts.reduce((sum, n) => sum + n, 0);
-    let at = 0;
-    return {
-      words(interval) {
-        const scale = (interval[1] - interval[0]) / 65535;
-        const plane = new Float32Array(total);
-        for (let i = 0; i < total; ++i, at += 2) {
-          plane[i] = interval[0] + scale * (bytes[at] | (bytes[at + 1] << 8));
-        }
-        return plane;
-      },
-      bytes() {
-        at += total;
-        return bytes.subarray(at - total, at);
-      },
-    };
-  }
-
-  // Where each time begins in the planes; one entry more than there are times.
-  function startsOf(counts) {
-    const starts = [0];
-    for (const n of counts) starts.push(starts[starts.length - 1] + n);
-    return starts;
-  }
-
-  viewer.decodeWater = function (track) {
-    const read = reader(track);
-    const water = {mesh: track.mesh, half: track.half, starts: startsOf(track.counts)};
-    water.x = read.words(track.x);
-    water.y = read.words(track.y);
-    water.pressure = read.bytes();
-    water.speed = read.bytes();
-    if (track.mesh) water.fraction = read.bytes();
-    return water;
-  };
-
-  viewer.decodeSurface = function (track) {
-    const read = reader(track);
-    return {
-      starts: startsOf(track.counts),
-      x0: read.words(track.x),
-      y0: read.words(track.y),
-      x1: read.words(track.x),
-      y1: read.words(track.y),
-    };
-  };
-
-  viewer.decodePalette = function (base64) {
-    const bytes = bytesOf(base64);
-    const colours = [];
-    for (let i = 0; i < bytes.length; i += 3) {
-      colours.push("rgb(" + bytes[i] + "," + bytes[i + 1] + "," + bytes[i + 2] + ")");
-    }
-    return colours;
-  };
-
-  // A canvas as large as its place on the screen, and lengths over L to its pixels.
-  function prepare(canvas, view) {
+  // A canvas as large as its place on the screen, and lengths over L to its pixels. region: the part of the
+  // flow that is shown, {x0, y0, width, height}.
+  function prepare(canvas, region) {
     const width = Math.max(1, canvas.clientWidth);
     const ratio = window.devicePixelRatio || 1;
-    canvas.style.aspectRatio = view.width + " / " + view.height;
+    canvas.style.aspectRatio = region.width + " / " + region.height;
     canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round((canvas.width * view.height) / view.width);
+    canvas.height = Math.round((canvas.width * region.height) / region.width);
     const context = canvas.getContext("2d");
-    const scale = canvas.width / view.width;
-    const top = canvas.height;
-    return {context, scale, ratio, x: (x) => x * scale, y: (y) => top - y * scale};
+    const scale = canvas.width / region.width;
+    const bottom = canvas.height + region.y0 * scale;
+    context.fillStyle = "#fff";
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    return {context, scale, ratio, x: (x) => (x - region.x0) * scale, y: (y) => bottom - y * scale};
+  }
+
+  function fillBox(place, box, colour) {
+    const {context, ratio} = place;
+    const [x0, y0, x1, y1] = [place.x(box[0]), place.y(box[3]), place.x(box[2]), place.y(box[1])];
+    context.fillStyle = colour;
+    context.fillRect(x0, y0, x1 - x0, y1 - y0);
+    context.lineWidth = ratio;
+    context.strokeStyle = "#303030";
+    context.strokeRect(x0, y0, x1 - x0, y1 - y0);
+  }
+
+  // Walls of the tank; open sides dotted; sides that are not known are not drawn.
+  function drawTank(place, solids, region) {
+    if (!solids.tank) return;
+    const {context, ratio} = place;
+    const [x0, y0, x1, y1] = solids.tank;
+    const known = (value, other) => (value === null ? other : value);
+    const left = known(x0, region.x0), right = known(x1, region.x0 + region.width);
+    const low = known(y0, region.y0), high = known(y1, region.y0 + region.height);
+    const sides = [["x-", x0, [left, low, left, high]], ["x+", x1, [right, low, right, high]],
+      [solids.up + "-", y0, [left, low, right, low]], [solids.up + "+", y1, [left, high, right, high]]];
+    for (const [name, place_, line] of sides) {
+      if (place_ === null) continue;
+      const open = solids.open.includes(name);
+      context.setLineDash(open ? [2 * ratio, 4 * ratio] : []);
+      context.lineWidth = (open ? 1.5 : 4) * ratio;
+      context.strokeStyle = "#303030";
+      context.beginPath();
+      context.moveTo(place.x(line[0]), place.y(line[1]));
+      context.lineTo(place.x(line[2]), place.y(line[3]));
+      context.stroke();
+    }
+    context.setLineDash([]);
+  }
+
+  function drawSolids(place, solids, region, frame) {
+    for (const box of solids.obstacles) fillBox(place, box, "#8a8a8a");
+    for (const boxes of solids.walls) fillBox(place, boxes[frame], "#e69f00");
+    drawTank(place, solids, region);
   }
 
   function drawCells(place, water, field, palette, from, to) {
@@ -108,12 +83,13 @@ const surgeViewer = {};
     }
   }
 
+  // Where water is above the whole picture.
   function markAbove(place, water, view, from, to) {
     const {context, ratio} = place;
     const half = 4 * ratio;
     context.fillStyle = "#606060";
     for (let i = from; i < to; ++i) {
-      if (!(water.y[i] > view.height)) continue;
+      if (!(water.y[i] > view.y0 + view.height)) continue;
       const x = place.x(water.x[i]);
       context.beginPath();
       context.moveTo(x, 0);
@@ -123,7 +99,8 @@ const surgeViewer = {};
     }
   }
 
-  function drawSurface(place, surface, frame) {
+  // The line of a free surface at a time, on a white ground.
+  viewer.drawSurface = function (place, surface, frame, colour, width) {
     const {context, ratio} = place;
     context.beginPath();
     for (let i = surface.starts[frame]; i < surface.starts[frame + 1]; ++i) {
@@ -131,22 +108,28 @@ const surgeViewer = {};
       context.lineTo(place.x(surface.x1[i]), place.y(surface.y1[i]));
     }
     context.lineCap = "round";
-    for (const [width, colour] of [[3.2, "#fff"], [1.6, "#d55e00"]]) {
-      context.lineWidth = width * ratio;
-      context.strokeStyle = colour;
+    for (const [extra, ink] of [[1.6, "#fff"], [0, colour]]) {
+      context.lineWidth = (width + extra) * ratio;
+      context.strokeStyle = ink;
       context.stroke();
     }
-  }
+  };
 
-  // surface: null where none is to be drawn.
-  viewer.drawWater = function (canvas, view, water, fieldName, palette, frame, surface) {
-    const place = prepare(canvas, view);
-    const from = water.starts[frame];
-    const to = water.starts[frame + 1];
+  // What is shown: {view, region, solids, palette, field, frame, start}; lines: {surface, colour, width} of
+  // the free surfaces to draw.
+  viewer.drawWater = function (canvas, shown, water, lines) {
+    const place = prepare(canvas, shown.region);
+    const from = water.starts[shown.frame];
+    const to = water.starts[shown.frame + 1];
     const draw = water.mesh ? drawCells : drawDiscs;
-    draw(place, water, water[fieldName], palette, from, to);
-    if (surface) drawSurface(place, surface, frame);
-    markAbove(place, water, view, from, to);
+    // What the files do not hold has one colour.
+    const known = water.known[shown.field] && (shown.field !== "pressure" || shown.frame > 0 || water.known.start);
+    const colours = known ? shown.palette : shown.palette.map(() => "#9a9a9a");
+    draw(place, water, water[shown.field], colours, from, to);
+    drawSolids(place, shown.solids, shown.region, shown.frame);
+    for (const line of lines)
+      viewer.drawSurface(place, line.surface, shown.frame, line.colour, line.width);
+    if (shown.region.height === shown.view.height) markAbove(place, water, shown.view, from, to);
     if (from === to) {
       place.context.fillStyle = "#606060";
       place.context.font = 14 * place.ratio + "px sans-serif";
@@ -155,4 +138,3 @@ const surgeViewer = {};
     }
   };
 })(surgeViewer);
-

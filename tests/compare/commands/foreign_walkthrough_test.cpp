@@ -6,6 +6,7 @@
 #include "tests/compare/foreign_hdf5_writers.hpp"
 #include "tests/compare/foreign_text_writers.hpp"
 #include "tests/compare/foreign_vtk_writers.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare {
 namespace {
@@ -26,7 +27,7 @@ std::vector<std::string> blocks(const std::string& page, const std::string& lang
 }
 
 std::string page() {
-  std::ifstream in(std::string(SURGE_SOURCE_DIR) + "/docs/foreign-codes.md");
+  std::ifstream in(tests::sources() + "/docs/foreign-codes.md");
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -41,6 +42,9 @@ class Walkthrough : public ::testing::Test {
     testing::write_trixi(folder_ / "trixi/out");
     testing::write_mps_basic(folder_ / "mps-basic/vtu");
     testing::write_openmps(folder_ / "openmps/result");
+    testing::write_gpusph(folder_ / "gpusph/data");
+    testing::write_aquagpusph(folder_ / "aquagpusph");
+    testing::write_gadget(folder_ / "swift/snapshots", testing::GadgetUnits{0.01, 0.001, 0.5});
     testing::write_time_table(folder_ / "mine/all.csv", ",");
     for (const std::string& text : blocks(page(), "toml"))
       write_text(folder_ / text.substr(2, text.find('\n') - 2), text);
@@ -48,9 +52,8 @@ class Walkthrough : public ::testing::Test {
 
   /// Runs commands as a user does, in the folder; the exit code.
   [[nodiscard]] int run(const std::string& commands) const {
-    write_text(folder_ / "commands.sh", "set -e\nPATH=" + std::string(SURGE_BIN_DIR) +
-                                            ":$PATH\ncd " + folder_.path().string() + "\n" +
-                                            commands);
+    write_text(folder_ / "commands.sh", "set -e\nPATH=" + tests::programs() + ":$PATH\ncd " +
+                                            folder_.path().string() + "\n" + commands);
     const int status = std::system(("sh " + (folder_ / "commands.sh").string() + " > " +
                                     (folder_ / "output.txt").string() + " 2>&1")
                                        .c_str());

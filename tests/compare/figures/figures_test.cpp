@@ -9,7 +9,6 @@
 #include <vtkXMLUtilities.h>
 
 #include <algorithm>
-#include <numbers>
 #include <set>
 
 #include "compare/figures/water.hpp"
@@ -20,7 +19,6 @@ namespace {
 
 using testing::error_of;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::read_text;
 using ::testing::StartsWith;
 using testing::SyntheticStudy;
@@ -36,36 +34,6 @@ void expect_drawn(const std::filesystem::path& folder, const std::string& name) 
   EXPECT_THAT(pdf, StartsWith("%PDF-"));
   EXPECT_THAT(pdf.substr(pdf.size() - 16), HasSubstr("%%EOF"));
   EXPECT_LT(pdf.size(), 1000000U) << name;
-}
-
-TEST(Style, MapOfPressureGrowsBrighterSteadily) {
-  double last = -1.0;
-  for (int i = 0; i <= 100; ++i) {
-    const Colour c = viridis(i / 100.0);
-    const double brightness = 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue;
-    EXPECT_GE(brightness, last) << i;
-    last = brightness;
-  }
-  EXPECT_EQ(viridis(-3.0).hex(), "#440154");
-  EXPECT_EQ(viridis(7.0).hex(), "#fde725");
-}
-
-TEST(Image, DiscCoversItsArea) {
-  Image image(0.0, 2.0, 0.0, 1.0, 100.0);
-  image.disc(0.7, 0.4, 0.25, {10, 20, 30});
-  double covered = 0.0;
-  for (int i = 0; i < 200; ++i) {
-    for (int j = 0; j < 100; ++j) covered += image.at((i + 0.5) / 100, (j + 0.5) / 100)[3] / 255.0;
-  }
-  EXPECT_NEAR(covered / 1e4, std::numbers::pi * 0.25 * 0.25, 1e-3);
-  EXPECT_EQ(image.at(0.7, 0.4), (std::array<std::uint8_t, 4>{10, 20, 30, 255}));
-  EXPECT_EQ(image.at(0.7, 0.9)[3], 0);
-}
-
-TEST(Image, AdjoiningRectanglesNeitherOverlapNorLeaveAGap) {
-  Image image(0.0, 1.0, 0.0, 1.0, 37.0);
-  for (int i = 0; i < 10; ++i) image.rectangle(i / 10.0, (i + 1) / 10.0, 0.0, 1.0, {}, 0.5);
-  for (int i = 0; i < 37; ++i) EXPECT_EQ(image.at((i + 0.5) / 37.0, 0.5)[3], 128) << i;
 }
 
 TEST(WaterPicture, MeshSurfaceLiesWhereHalfTheCellIsWater) {
@@ -125,12 +93,13 @@ TEST(Figures, AllAreDrawnWithTheirLabelsAndData) {
     const Figure figure = definition.make(study);
     EXPECT_EQ(figure.name, definition.name);
     EXPECT_EQ(draw(figure, files.out()), "") << figure.name;
+    EXPECT_EQ(figure.missing.empty(), std::filesystem::exists(files.out() / (figure.name + ".svg")))
+        << figure.name;
+    if (!figure.missing.empty()) continue;
     expect_drawn(files.out(), figure.name);
     for (const auto& table : figure.tables)
       EXPECT_FALSE(table.rows.empty() && table.name != "fig7_surface");
-    EXPECT_FALSE(figure.tables.empty() && figure.name != "fig9" &&
-                 !figure.name.starts_with("sensitivity_"))
-        << figure.name;
+    EXPECT_FALSE(figure.tables.empty()) << figure.name;
   }
   const std::string fig8 = read_text(files.out() / "fig8.svg");
   EXPECT_THAT(fig8, HasSubstr("MPS paper, l0 = 5 mm"));
@@ -140,42 +109,16 @@ TEST(Figures, AllAreDrawnWithTheirLabelsAndData) {
   EXPECT_THAT(read_text(files.out() / "fig7.svg"), HasSubstr("0.05 s"));
 }
 
-TEST(Figures, LeadingEdgeDrawsTheCurves) {
+TEST(Figures, SurfacesOfAllRunsStandInOnePanelPerTime) {
   const SyntheticStudy files;
-  const Figure figure = leading_edge_figure(files.collected());
+  const StudyResult study = files.collected();
+  const Figure figure = surface_figure(study);
+  const Table& table = figure.tables.at(0);
+  std::set<std::pair<std::string, double>> seen;
+  for (const auto& row : table.rows)
+    seen.emplace(std::get<std::string>(row[0]), std::get<double>(row[1]));
+  EXPECT_EQ(seen.size(), study.runs.size() * study.study.snapshot_times.size());
   EXPECT_EQ(draw(figure, files.out()), "");
-  // A curve is one path with a vertex per frame: none of the three may be empty.
-  const std::string svg = read_text(files.out() / "fig8.svg");
-  for (const char* colour : {"rgb(  0, 114, 178)", "rgb(213,  94,   0)", "rgb(  0,   0,   0)"}) {
-    std::size_t longest = 0;
-    for (auto at = svg.find(colour); at != std::string::npos; at = svg.find(colour, at + 1)) {
-      const auto path = svg.find(" d='", at);
-      if (path == std::string::npos) break;
-      longest = std::max(longest, svg.find('\'', path + 4) - path);
-    }
-    EXPECT_GT(longest, 150U) << colour;
-  }
-}
-
-TEST(Figures, DifferenceToTheReferenceIsTheKnownLead) {
-  const SyntheticStudy files;
-  const Figure figure = leading_edge_figure(files.collected());
-  const Table& differences = figure.tables.at(1);
-  std::size_t checked = 0;
-  for (const auto& row : differences.rows) {
-    if (std::get<double>(row[1]) == 0.0) continue;
-    const double lead = std::get<std::string>(row[0]) == "mps-a" ? 0.02 : -0.05;
-    EXPECT_NEAR(std::get<double>(row[2]), lead, 1e-6);
-    ++checked;
-  }
-  EXPECT_GT(checked, 20U);
-}
-
-TEST(Figures, ShiftOfAPublishedSeriesIsFoundAndStated) {
-  const SyntheticStudy files;
-  const Figure figure = shifted_leading_edge_figure(files.collected());
-  EXPECT_THAT(figure.script, HasSubstr("Late series, T − 0.20"));
-  EXPECT_THAT(leading_edge_figure(files.collected()).script, Not(HasSubstr("T − ")));
 }
 
 TEST(Figures, MissingAndEndedRunsKeepTheirPanels) {
@@ -262,8 +205,9 @@ TEST(Figures, RunsThatDoNotSayWhatTheyComputedWithLeaveTheFigureEmpty) {
   const StudyResult study = files.collected();
   for (const char* name : {"1", "2", "3", "4", "5"}) {
     const Figure figure = find_figure(name)->make(study);
-    EXPECT_THAT(figure.caption, HasSubstr("has a method.json"));
+    EXPECT_THAT(figure.missing, HasSubstr("has a method.json"));
     EXPECT_EQ(draw(figure, files.out()), "");
+    EXPECT_FALSE(std::filesystem::exists(files.out() / (figure.name + ".svg")));
   }
 }
 

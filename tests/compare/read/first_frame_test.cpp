@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "compare/measure/front.hpp"
-#include "tests/compare/synthetic.hpp"
+#include "tests/compare/foreign_flow.hpp"
 
 namespace surge::compare {
 namespace {
@@ -132,6 +132,27 @@ TEST(FirstFrame, WrongVerticalAxisIsRefused) {
   series.write(0, column(0));
   series.options.vertical_axis = 2;
   EXPECT_THAT(series.error(), HasSubstr("--vertical"));
+}
+
+TEST(FirstFrame, WrongAxisOfTheSurgeIsRefused) {
+  const auto error_with = [](Vec3 (*place)(Vec3), const std::vector<std::string>& axes) {
+    ForeignSeries series;
+    for (int i = 0; i < 3; ++i) {
+      std::vector<Vec3> points;
+      for (int layer = 0; layer < 3; ++layer)
+        for (const Vec3& x : testing::ForeignFlow().fluid(5 * i))
+          points.push_back(place({x[0], x[1], 0.01 * layer}));
+      series.write(i, points);
+    }
+    if (!axes.empty()) series.options.axes = FileAxes::parse(axes, "axes");
+    return series.error();
+  };
+  const auto left = [](Vec3 x) { return Vec3{0.4 - x[0], x[1], x[2]}; };
+  EXPECT_THAT(error_with(left, {}), HasSubstr("towards its wall (--axes, such as -x,y"));
+  EXPECT_EQ(error_with(left, {"-x", "y"}), "");
+  const auto across = [](Vec3 x) { return Vec3{x[2], x[1], x[0]}; };
+  EXPECT_THAT(error_with(across, {}), HasSubstr("more across the surge than along it"));
+  EXPECT_EQ(error_with(across, {"z", "y"}), "");
 }
 
 TEST(FirstFrame, TimeStepThatIsTypedWrongIsRefused) {

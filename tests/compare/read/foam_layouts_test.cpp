@@ -107,6 +107,26 @@ TEST(FoamRefined, PointsThatMoveAreReadForEachTime) {
   EXPECT_NEAR(front[2].position.value(), 0.1 + testing::foam_edge(0.2), 1e-9);
 }
 
+TEST(FoamAxes, StatedOnesMustFitTheGravity) {
+  const TemporaryFolder folder;
+  FoamCaseWriter(folder / "case", foam_tank(3), {}).write(foam_water);
+  const auto axes = [](const std::vector<std::string>& words) {
+    SourceOptions options;
+    options.axes = FileAxes::parse(words, "axes");
+    return options;
+  };
+  expect_foam_front(folder / "case", 3, axes({"x", "y"}));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"x", "z"}, {"x", "-y"}, {"-x", "z"}})
+    EXPECT_THAT(testing::error_of([&] { (void)open_run(folder / "case", axes(words)); }),
+                ::testing::HasSubstr("points up by the case's gravity"));
+  // The column then stands at the far end.
+  EXPECT_THAT(testing::error_of([&] {
+                (void)open_run(folder / "case", axes({"-x", "y"}));
+              }),
+              ::testing::HasSubstr("reaches the far wall"));
+}
+
 /// Where the case's axes lie: x along the surge, y up, z across, as the case has them.
 struct Plane {
   const char* name;
@@ -164,6 +184,16 @@ INSTANTIATE_TEST_SUITE_P(All, FoamPlanes,
                                                    return Vec3{-x[2], x[1], x[0]};
                                                  },
                                                  {0, -g, 0}},
+                                           Plane{"ToTheLeft",
+                                                 [](Vec3 x) {
+                                                   return Vec3{0.4 - x[0], x[1], -x[2]};
+                                                 },
+                                                 {0, -g, 0}},
+                                           Plane{"ToTheLeftXZ",
+                                                 [](Vec3 x) {
+                                                   return Vec3{-x[0], x[2], x[1]};
+                                                 },
+                                                 {0, 0, -g}},
                                            Plane{"UpsideDown",
                                                  [](Vec3 x) {
                                                    return Vec3{x[0], -x[1], -x[2]};

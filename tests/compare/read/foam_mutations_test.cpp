@@ -213,7 +213,7 @@ class FoamMutations : public ::testing::TestWithParam<std::pair<const char*, Foa
 /// Of seeded damages none crashes the reader (that would end this program) and none gives another
 /// front without an error or a notice.
 TEST_P(FoamMutations, NoneGivesAnotherFrontInSilence) {
-  constexpr unsigned tries = 60;
+  const unsigned tries = testing::mutation_count();
   const TemporaryFolder folder;
   const int layers = GetParam().second.binary ? 2 : 1;
   FoamCaseWriter(folder / "clean", foam_tank(layers), GetParam().second).write(foam_water);

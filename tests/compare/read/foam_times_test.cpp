@@ -101,6 +101,9 @@ TEST(FoamTimes, OneTimeUnderTwoNamesIsRefused) {
   write_text(folder / "0.10/alpha.water", "");
   EXPECT_THAT(error_of([&] { (void)foam_times({folder.path()}, "alpha.water"); }),
               HasSubstr("0.1 and 0.10 are the same time"));
+  std::filesystem::rename(folder / "0.10", folder / "0.1000000000001");
+  EXPECT_THAT(error_of([&] { (void)foam_times({folder.path()}, "alpha.water"); }),
+              HasSubstr("0.1 and 0.1000000000001 are the same time"));
 }
 
 }  // namespace

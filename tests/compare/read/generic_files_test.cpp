@@ -87,26 +87,68 @@ TEST(GenericFiles, ThreeDimensionsWithZUpwardsAreReadByAxesOrVertical) {
   EXPECT_THAT(error_of([&] { (void)front("", {}); }), HasSubstr("cannot rise"));
 }
 
+TEST(GenericFiles, FieldsThatAreNotThereAreToldWhereTheyAreAskedFor) {
+  const TemporaryFolder folder;
+  testing::write_parallel(folder.path());
+  auto run = open_run(folder.path(), foreign_facts());
+  EXPECT_TRUE(run.frames->notices().empty());
+  const auto frame =
+      std::get<ParticleFrame>(run.frames->read(1, {.pressure = true, .velocity = true}));
+  EXPECT_EQ(frame.position.size(), 200U);
+  EXPECT_TRUE(frame.pressure.empty());
+  EXPECT_TRUE(frame.velocity.empty());
+  ASSERT_EQ(run.frames->notices().size(), 2U);
+  EXPECT_THAT(run.frames->notices()[0], HasSubstr("no pressure by a usual name"));
+  // One that is named must be there.
+  SourceOptions options = foreign_facts();
+  set_source_option(options, "pressure_array", std::vector<std::string>{"press"}, "", ".");
+  EXPECT_THAT(
+      error_of([&] { (void)open_run(folder.path(), options).frames->read(0, {.pressure = true}); }),
+      HasSubstr("press"));
+}
+
 TEST(GenericFiles, ParallelFilesAreOneSeriesWithTheirPiecesLeftOut) {
   const TemporaryFolder folder;
-  for (int i = 0; i < ForeignFlow::frames; ++i) {
-    const auto points = ForeignFlow().fluid(i);
-    const std::string stem = "w_" + std::to_string(i);
-    const std::vector<Vec3> first(points.begin(), points.begin() + 90);
-    const std::vector<Vec3> second(points.begin() + 90, points.end());
-    testing::write_vtu(folder / (stem + "_0.vtu"), first, "", "Time", 0.02 * i);
-    testing::write_vtu(folder / (stem + "_1.vtu"), second, "", "Time", 0.02 * i);
-    write_text(folder / (stem + ".pvtu"),
-               "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid GhostLevel=\"0\"><Piece "
-               "Source=\"" +
-                   stem + "_0.vtu\"/><Piece Source=\"" + stem +
-                   "_1.vtu\"/></PUnstructuredGrid></VTKFile>");
-  }
+  testing::write_parallel(folder.path());
   auto run = open_run(folder.path(), foreign_facts());
   const FrontHistory front = measure_front(run, testing::foreign_front());
   ASSERT_EQ(front.size(), 6U);
   EXPECT_NEAR(front[5].position.value(), ForeignFlow::edge(5), 1e-9);
   EXPECT_NEAR(front[5].time.value(), 0.1, 1e-12);
+}
+
+TEST(GenericFiles, PointsOfOtherPiecesAreLeftOut) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < ForeignFlow::frames; ++i) {
+    const auto p = ForeignFlow().particles(i, 0, std::nullopt);
+    const std::string stem = "w_" + std::to_string(i);
+    for (const std::size_t piece : {0U, 1U}) {
+      // Each piece holds ten particles of the other one besides its own.
+      const std::size_t first = piece == 0 ? 0 : 80, last = piece == 0 ? 100 : 200;
+      std::vector<Vec3> position, velocity;
+      std::vector<double> pressure;
+      std::vector<int> ghost;
+      for (std::size_t k = first; k < last; ++k) {
+        position.push_back(p.position[k]);
+        velocity.push_back(p.velocity[k]);
+        pressure.push_back(p.pressure[k]);
+        ghost.push_back((piece == 0) == (k < 90) ? 0 : 1);
+      }
+      testing::write_vtu(folder / (stem + "_" + std::to_string(piece) + ".vtu"), position,
+                         testing::data_array("velocity", "Float64", 3, velocity) +
+                             testing::data_array("pressure", "Float64", 1, pressure) +
+                             testing::data_array("vtkGhostType", "UInt8", 1, ghost),
+                         "Time", i * ForeignFlow::interval);
+    }
+    write_text(folder / (stem + ".pvtu"),
+               "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid GhostLevel=\"1\"><Piece "
+               "Source=\"" +
+                   stem + "_0.vtu\"/><Piece Source=\"" + stem +
+                   "_1.vtu\"/></PUnstructuredGrid></VTKFile>");
+  }
+  SourceOptions options = foreign_facts();
+  EXPECT_THAT(expect_known_front(folder.path(), options),
+              Contains(HasSubstr("vtkGhostType marks as another piece's")));
 }
 
 TEST(GenericFiles, CollectionWithWallsAsPartsIsReadByTheirNames) {

@@ -56,6 +56,19 @@ TEST(LegacyVtk, WholeFilesPass) {
     EXPECT_EQ(testing::refusal_of([&] { check_legacy_vtk(legacy_file(folder, binary)); }), "");
 }
 
+TEST(LegacyVtk, NamesAreDecodedAndTheCaseOfWordsDoesNotMatter) {
+  const TemporaryFolder folder;
+  const auto file = testing::write_text(
+      folder / "small.vtk",
+      "# vtk DataFile Version 3.0\ntitle\nascii\ndataset polydata\npoints 2 Float\n0 0 0 1 0 0\n"
+      "Point_Data 2\nscalars Particle%20Type int\nlookup_table default\n1 2\nfield FieldData 1\n"
+      "Vel%3a1 1 2 double\n3 4\nmetadata\ninformation 0\n\n");
+  const auto points = read_legacy_vtk(file);
+  ASSERT_NE(points->GetPointData()->GetArray("Particle Type"), nullptr);
+  EXPECT_EQ(points->GetPointData()->GetArray("Particle Type")->GetComponent(1, 0), 2.0);
+  EXPECT_NE(points->GetPointData()->GetArray("Vel:1"), nullptr);
+}
+
 TEST(LegacyVtk, EveryCutIsFound) {
   const TemporaryFolder folder;
   for (const bool binary : {false, true}) {

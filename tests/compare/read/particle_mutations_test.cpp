@@ -213,7 +213,7 @@ class ParticleMutations : public ::testing::TestWithParam<Kind> {};
 /// Of seeded damages none crashes a reader (that would end this program) and none gives another
 /// front without an error, or a notice that the clean source does not have.
 TEST_P(ParticleMutations, NoneGivesAnotherFrontInSilence) {
-  constexpr unsigned tries = 60;
+  const unsigned tries = testing::mutation_count();
   const Kind& kind = GetParam();
   const TemporaryFolder folder;
   kind.write(folder / "clean", {});
@@ -311,6 +311,26 @@ std::vector<Kind> kinds() {
            "dump.lammpstrj",
            with_fluid(),
            {"type", "x y z", "TIMESTEP", "ATOMS"}},
+          {"Parallel",
+           [](Path p, Flow f) { testing::write_parallel(p, f); },
+           "",
+           foreign_facts(),
+           {"Points", "Source", "Time", "Piece"}},
+          {"FileSeries",
+           [](Path p, Flow f) { testing::write_file_series(p, f); },
+           "all.vtp.series",
+           foreign_facts(),
+           {"name", "time", "Position", "files"}},
+          {"GpuSph",
+           [](Path p, Flow f) { testing::write_gpusph(p, f); },
+           "VTUinp.pvd",
+           foreign_facts(),
+           {"Part type", "Position", "timestep"}},
+          {"Gadget",
+           [](Path p, Flow f) { testing::write_gadget(p, testing::GadgetUnits{}, f); },
+           "",
+           foreign_facts(),
+           {"PartType0", "Header", "Units"}},
           {"PySph",
            [](Path p, Flow f) { testing::write_pysph(p, f); },
            "",

@@ -59,6 +59,19 @@ TEST(Collection, PartsOfOneTimeBelongTogether) {
   EXPECT_EQ(entries[0].files.size(), 2U);
 }
 
+TEST(Collection, GroupsOfOneTimeBelongTogether) {
+  const Collection collection;
+  const auto in_group = [](const std::string& group, const std::string& file) {
+    return "<DataSet timestep='0' group='" + group + "' file='" + file + "'/>";
+  };
+  const auto entries =
+      list_series(collection.write(in_group("0", "a_0.vtp") + in_group("1", "a_1.vtp")));
+  ASSERT_EQ(entries.size(), 1U);
+  EXPECT_EQ(entries[0].files.size(), 2U);
+  EXPECT_THAT(collection.refused(in_group("0", "a_0.vtp") + in_group("0", "a_1.vtp")),
+              HasSubstr("second file of part 0"));
+}
+
 TEST(Collection, TwoRunsInOneAreRefused) {
   const Collection collection;
   EXPECT_THAT(collection.refused(data_set("0", "a_0.vtp") + data_set("0.1", "a_1.vtp") +

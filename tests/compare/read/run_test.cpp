@@ -45,6 +45,19 @@ TEST(ParticleRun, IsReadWithItsCaseAndFields) {
   EXPECT_EQ(open_run(folder / "mps-paper-0.005/particles.pvd").name, "mps-paper-0.005");
 }
 
+TEST(ParticleRun, WhatARunWarnsOfIsANotice) {
+  const TemporaryFolder folder;
+  nlohmann::json manifest = testing::dam_break_manifest();
+  manifest["warnings"] = {"a particle reached 133 m/s"};
+  write_run(folder / "run", {0.0, 1.0}, surge, manifest);
+  EXPECT_THAT(open_run(folder / "run").notices,
+              ::testing::Contains("the run warns: a particle reached 133 m/s"));
+  manifest["warnings"] = {1};
+  write_run(folder / "run", {0.0, 1.0}, surge, manifest);
+  EXPECT_THAT(error_of([&] { (void)open_run(folder / "run"); }),
+              HasSubstr("warnings: [1] found, a list of texts expected"));
+}
+
 TEST(ParticleRun, WallsAreNotWater) {
   const TemporaryFolder folder;
   write_run(folder / "run", {0.0, 0.1}, surge);
@@ -98,11 +111,18 @@ TEST(ParticleRun, BrokenFilesAreNamed) {
               HasSubstr("point array type: none found"));
   EXPECT_THAT(broken([&] { write_vtp(frame, {{0, 0, 0}}, {1}); }), HasSubstr("no fluid particle"));
   EXPECT_THAT(broken([&] { std::filesystem::remove(folder / "run/particles.pvd"); }),
-              HasSubstr("particles.pvd: no such file"));
+              HasSubstr("particles.pvd: found no such file"));
   EXPECT_THAT(broken([&] { write_text(folder / "run/particles.pvd", "<VTKFile><Collection>"); }),
               HasSubstr("particles.pvd: "));
   EXPECT_THAT(broken([&] { write_text(folder / "run/manifest.json", "{"); }),
               HasSubstr("manifest.json: not JSON"));
+}
+
+TEST(RunNames, DifferByAsManyParentsAsNeeded) {
+  EXPECT_THAT(run_names({"/a/x/out", "/b/x/out", "/b/y", "/b/y/"}),
+              ::testing::ElementsAre("a/x/out", "b/x/out", "y", "y"));
+  EXPECT_THAT(run_names({"/out", "/a/out", "/in"}), ::testing::ElementsAre("out", "a/out", "in"));
+  EXPECT_THAT(run_names({"/a/o", "/b/no"}), ::testing::ElementsAre("o", "no"));
 }
 
 TEST(Manifest, EveryMissingOrWrongKeyIsNamed) {

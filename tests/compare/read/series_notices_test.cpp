@@ -82,6 +82,20 @@ TEST(Notices, ParticlesOutsideOfTheTankAreCounted) {
               Contains(HasSubstr("outside of the tank: up to 2 in 1 frames, first at 0.1 s")));
 }
 
+TEST(Notices, ParticlesThatLeakAreCountedWhereNobodyStatesTheTank) {
+  Series series;
+  for (int i = 0; i < 4; ++i) {
+    auto points = ForeignFlow().fluid(i);
+    if (i > 1) points.push_back({-0.5, 0.05, 0.0});
+    if (i > 2) points.push_back({0.1, -3.0, 0.0});
+    series.write(i, points, 0.02 * i);
+  }
+  EXPECT_THAT(
+      series.notices(),
+      Contains(HasSubstr("behind the column's wall or below its floor: up to 2 in 2 frames, "
+                         "first at 0.04 s")));
+}
+
 TEST(Notices, FramesThatAreTheSameAreTold) {
   const Series series;
   for (int i = 0; i < 6; ++i) series.write(i, i == 3 ? 2 : i, 0.02 * i);

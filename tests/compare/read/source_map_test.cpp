@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "compare/read/particle_fields.hpp"
 #include "particle/support/toml.hpp"
 #include "tests/compare/foreign_hdf5_writers.hpp"
 #include "tests/compare/foreign_text_writers.hpp"
@@ -93,7 +94,7 @@ pressure_array = "p"
 )";
   (void)expect_known_front(folder.path(), map_of(folder, facts + "axes = [\"-y\", \"z\"]"));
   const auto run = open_run(folder.path(), map_of(folder, facts + "axes = [\"-y\", \"-z\"]"));
-  EXPECT_THAT(run.notices, ::testing::Contains(HasSubstr("does not rise")));
+  EXPECT_THAT(run.notices, ::testing::Contains(HasSubstr("cannot rise along the axis")));
 }
 
 TEST(FileAxes, AreRightHanded) {
@@ -113,10 +114,29 @@ TEST(TypeValues, AreListsAndRanges) {
   for (const double in : {1.0, 2.0, 3.0, -1.0, 7.0}) EXPECT_TRUE(values.contain(in));
   for (const double out : {0.0, 4.0, 1.5, 6.0, std::nan("")}) EXPECT_FALSE(values.contain(out));
   EXPECT_EQ(values.text(), "1-3,-1,7");
-  for (const std::string word : {"a", "1-", "3-1", "1.5", ""})
+  for (const std::string word : {"1-", "3-1", "1.5", "", "-a", "1a"})
     EXPECT_THAT(
         error_of([&] { (void)TypeValues::parse(std::vector<std::string>{word}, "fluid_type"); }),
         HasSubstr("fluid_type: found"));
+}
+
+TEST(TypeValues, MayBeWords) {
+  SourceOptions options;
+  set_source_option(options, "fluid_type", std::vector<std::string>{"water", "Oil_2"}, "x", "");
+  const FluidTypes types(options);
+  EXPECT_EQ(types.text(), "water,Oil_2");
+  ParticleArray stuff{"stuff", 1, "", {}};
+  for (const char* word : {"water", "Water", "Oil_2", "wall", "water"}) stuff.add_word(word);
+  EXPECT_EQ(types.fluid(stuff, "f"), (std::vector<bool>{true, false, true, false, true}));
+  const ParticleArray number{"type", 1, "int", {0.0, 1.0}};
+  EXPECT_THAT(error_of([&] { (void)types.fluid(number, "f"); }), HasSubstr("numbers found"));
+  EXPECT_EQ(FluidTypes(SourceOptions{}).fluid(number, "f"), (std::vector<bool>{true, false}));
+  EXPECT_THAT(error_of([&] { (void)FluidTypes(SourceOptions{}).fluid(stuff, "f"); }),
+              HasSubstr("words found, fluid_type \"0\" expected"));
+  EXPECT_THAT(error_of([&] {
+                (void)TypeValues::parse(std::vector<std::string>{"1", "water"}, "x");
+              }),
+              HasSubstr("x: found \"water\""));
 }
 
 TEST(SourceMap, ErrorsNameFileLineAndKey) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/compare/synthetic.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare {
 namespace {
@@ -30,7 +31,7 @@ class PublishedFiles : public ::testing::TestWithParam<Published> {};
 TEST_P(PublishedFiles, AreComplete) {
   const Published expected = GetParam();
   const PublishedSeries series =
-      read_series(std::string(SURGE_SOURCE_DIR) + "/compare/reference/" + expected.name + ".csv");
+      read_series(tests::sources() + "/compare/reference/" + expected.name + ".csv");
   EXPECT_EQ(series.name, expected.name);
   ASSERT_EQ(series.front.samples.size(), expected.points);
   EXPECT_DOUBLE_EQ(series.front.samples.back().time.value(), expected.last_time);
@@ -79,19 +80,18 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Series, MissingFileIsNamed) {
   EXPECT_THAT(error_of([] { (void)read_series("/nowhere/a.csv"); }),
-              HasSubstr("/nowhere/a.csv: cannot be opened"));
+              HasSubstr("/nowhere/a.csv: found no such file"));
 }
 
 TEST(Series, StatesItsCase) {
-  const PublishedSeries series = read_series(
-      std::string(SURGE_SOURCE_DIR) + "/compare/reference/koshizuka_oka_1996_experiment.csv");
+  const PublishedSeries series =
+      read_series(tests::sources() + "/compare/reference/koshizuka_oka_1996_experiment.csv");
   EXPECT_EQ(series.of.column_height, 2.0);
   EXPECT_EQ(series.of.tank_width, 4.0);
   EXPECT_EQ(series.of.bed_depth, 0.0);
   EXPECT_FALSE(series.of.gate.empty());
-  EXPECT_FALSE(
-      read_series(std::string(SURGE_SOURCE_DIR) + "/compare/reference/martin_moyce_1952_2.25in.csv")
-          .of.tank_width);
+  EXPECT_FALSE(read_series(tests::sources() + "/compare/reference/martin_moyce_1952_2.25in.csv")
+                   .of.tank_width);
 }
 
 TEST(Series, IsOfTheDamBreakOnly) {

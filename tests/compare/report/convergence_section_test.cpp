@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "compare/figures/cost_to_error.hpp"
 #include "compare/figures/figures.hpp"
 #include "compare/report/report.hpp"
 #include "compare/study/sequences.hpp"
@@ -125,36 +126,74 @@ TEST(ConvergenceSection, DifferencesHaveTheCombinedUncertaintyOfBothSides) {
   EXPECT_FALSE(rms["shifted"]["beyond"].get<bool>());
 }
 
-TEST(ConvergenceSection, ParetoFrontHoldsWhatNoOtherBeats) {
-  SyntheticLevels levels;
-  add_all(levels);
-  levels.add("mps-waste", "mps", 0.006, -0.5, 0.0, 30.0, 1, "waste");
-  levels.add("mps-waste-2", "mps", 0.008, -0.5, 0.0, 30.0, 1, "waste");
-  const json metrics = report_metrics(levels.collected());
-  const json& pareto = metrics["pareto"];
-  std::map<std::string, bool> front;
-  for (const json& point : pareto["points"]) front[point["run"]] = point["front"];
-  EXPECT_FALSE(front.contains("vof-57"));  // the reference itself
-  EXPECT_TRUE(front.at("mps-14"));
-  EXPECT_TRUE(front.at("mps-57"));
-  EXPECT_TRUE(front.at("mps-fast"));  // against those on more threads
-  EXPECT_FALSE(front.at("mps-waste"));
-  EXPECT_NEAR(pareto["points"][0]["wall_s"].get<double>(), 0.1 / 0.0101,
-              1e-9);  // setup and output left out
-  std::map<double, json> cheapest;
-  for (const json& entry : pareto["cheapest"]) cheapest[entry["rms"]] = entry["point"];
-  EXPECT_EQ(cheapest.at(0.1)["run"], "mps-14");
-  EXPECT_EQ(cheapest.at(0.05)["run"], "mps-29");
-  EXPECT_EQ(cheapest.at(0.01)["run"], "vof-14");
+/// The points of metrics.cost_to_error by their runs.
+std::map<std::string, json> cost_points(const json& metrics) {
+  std::map<std::string, json> points;
+  for (const json& point : metrics["cost_to_error"]["points"]) points[point["run"]] = point;
+  return points;
 }
 
-TEST(ConvergenceSection, RowsOfACurveOfTheCostStandTogether) {
+TEST(CostToError, HoldsEveryLevelWithItsErrorItsUncertaintyAndItsCost) {
+  SyntheticLevels levels;
+  add_all(levels);
+  const json metrics = report_metrics(levels.collected());
+  const json& out = metrics["cost_to_error"];
+  EXPECT_THAT(out["against"].get<std::string>(), HasSubstr("VOF slip, 57.4"));
+  EXPECT_EQ(out["quantity"], "Leading edge Z/L");
+  const auto points = cost_points(metrics);
+  EXPECT_FALSE(points.contains("vof-57"));  // what all are held against
+  ASSERT_TRUE(points.contains("vof-14") && points.contains("vof-29"));
+  const json& fine = points.at("mps-57");
+  EXPECT_NEAR(fine["E"].get<double>(), 0.02, 1e-3);
+  EXPECT_GT(fine["U"].get<double>(), 0.0);
+  // All of the wall time of one thread, over 0.22 s of flow.
+  EXPECT_NEAR(fine["cpu_s_per_s"].get<double>(), (0.1 / 0.002525 + 3.0) / 0.22, 1e-6);
+  const json& fast = points.at("mps-fast");
+  EXPECT_EQ(fast["threads"], 2);
+  EXPECT_NEAR(fast["cpu_s_per_s"].get<double>(), 2.0 * 18.0 / 0.22, 1e-6);
+  EXPECT_NEAR(fast["speedup"].get<double>(), (0.1 / 0.002525 + 3.0) / 18.0, 1e-6);
+  double before = 0.0;
+  for (const json& point : out["points"]) {
+    EXPECT_GE(point["cpu_s_per_s"].get<double>(), before);
+    before = point["cpu_s_per_s"];
+  }
+}
+
+TEST(CostToError, NamesTheCheapestRunOfEachMethodAndItsFactor) {
+  SyntheticLevels levels;
+  add_all(levels);
+  const json metrics = report_metrics(levels.collected());
+  const json& out = metrics["cost_to_error"];
+  std::map<std::string, json> cells;  // of those with an error of at most 0.05
+  for (const json& level : out["levels"])
+    if (std::abs(level["E"].get<double>() - 0.05) < 1e-12)
+      for (const json& cell : level["cells"]) cells[cell["method"]] = cell;
+  const auto cost = [&](const json& cell) {
+    return out["points"][cell["point"].get<std::size_t>()]["cpu_s_per_s"].get<double>();
+  };
+  const json &mps = cells.at("MPS improved"), &vof = cells.at("VOF slip");
+  EXPECT_EQ(out["points"][mps["point"].get<std::size_t>()]["run"], "mps-29");  // E = 0.04
+  EXPECT_EQ(out["points"][vof["point"].get<std::size_t>()]["run"], "vof-14");
+  double least = 1e300;
+  for (const auto& [method, cell] : cells)
+    if (!cell["point"].is_null()) least = std::min(least, cost(cell));
+  EXPECT_DOUBLE_EQ(mps["factor"].get<double>(), cost(mps) / least);
+  EXPECT_DOUBLE_EQ(vof["factor"].get<double>(), cost(vof) / least);
+  // No level of MPS is within 0.01, and one on two threads does not count.
+  for (const json& cell : out["levels"].back()["cells"])
+    if (cell["method"] == "MPS improved") {
+      EXPECT_TRUE(cell["point"].is_null());
+    }
+}
+
+TEST(CostToError, RowsOfACurveStandTogether) {
   // A run on more threads is between those on one; gnuplot would break the line there.
   SyntheticLevels levels;
   add_all(levels);
-  const Figure cost = convergence_figures(levels.collected()).back();
+  const std::vector<Figure> figures = cost_to_error_figures(levels.collected());
+  ASSERT_EQ(figures.size(), 1U);
   std::vector<std::pair<std::string, std::string>> curves;
-  for (const auto& row : cost.tables.at(0).rows) {
+  for (const auto& row : figures[0].tables.at(0).rows) {
     const std::pair curve{std::get<std::string>(row[0]), std::get<std::string>(row[1])};
     if (curves.empty() || curves.back() != curve) curves.push_back(curve);
   }
@@ -185,7 +224,7 @@ TEST(ConvergenceSection, StepsAreTheSizeWhereTheSpacingIsTheSame) {
   EXPECT_EQ(steps["refined"], "time step");
   EXPECT_DOUBLE_EQ(steps["levels"][0]["size"], 0.22 / 1000);
   EXPECT_TRUE(steps["quantities"]["rms"]["result"].is_null());  // two levels of one size
-  for (const json& point : metrics["pareto"]["points"])
+  for (const json& point : metrics["cost_to_error"]["points"])
     EXPECT_THAT(point["run"].get<std::string>(), Not(HasSubstr("steps")));
 }
 
@@ -197,8 +236,9 @@ TEST(ConvergenceSection, ReportHasItsTablesAndFiguresAndNoStudyWithoutRunsDoes) 
   (void)write_report(study, levels.out(), warnings);
   EXPECT_EQ(warnings, "");
   const std::string page = testing::read_text(levels.out() / "index.html");
-  for (const char* text : {"id=\"convergence\"", "MPS improved, spacing refined", "missed",
-                           "cannot be told apart", "<figure id=\"convergence_cost\""})
+  for (const char* text :
+       {"id=\"convergence\"", "MPS improved, spacing refined", "missed", "cannot be told apart",
+        "<figure id=\"cost_to_error\"", "What a given error costs"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   const SyntheticStudy without;
   EXPECT_TRUE(convergence_figures(without.collected()).empty());

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "compare/report/report.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
@@ -93,6 +95,31 @@ TEST(Scaling, TotalsAreMeasuredOrElseExtrapolatedAndMarked) {
   const json& carried = curve["points"][3];
   EXPECT_TRUE(carried["extrapolated"]);
   EXPECT_NEAR(carried["total_s"], 1e-3 * 1.5 * 1e-4 * 12800.0 * 12800.0 * 4800, 1e-6);
+}
+
+// A time of one processor beside one of another makes no law of growth.
+TEST(Scaling, ProcessorsHaveCurvesOfTheirOwn) {
+  const TimedStudy files;
+  for (const char* name : {"time-80", "time-80-repeat2", "time-80-repeat3"}) {
+    const auto file = files.runs() / name / "manifest.json";
+    json manifest = json::parse(read_text(file));
+    manifest["cpu"] = "a faster one";
+    testing::write_text(file, manifest.dump());
+  }
+  const json scaling = report_metrics(files.collected())["scaling"];
+  ASSERT_EQ(scaling.size(), 2U);
+  const json& slow = scaling["mps paper all_pairs iccg, a processor, 1 thread"];
+  EXPECT_EQ(slow["points"].size(), 3U);
+  EXPECT_EQ(slow["label"], "MPS, all pairs, ICCG, a processor, 1 thread");
+  const json& fast = scaling["mps paper all_pairs iccg, a faster one, 1 thread"];
+  EXPECT_EQ(fast["points"].size(), 1U);
+}
+
+TEST(Scaling, RepeatsTellTheScatterOfTheTimes) {
+  const json metrics = report_metrics(TimedStudy().collected());
+  const json& window = metrics["scaling"]["mps paper all_pairs iccg"]["points"][0]["window"];
+  // 1, 1 and 5: standard deviation sqrt(16/3), median 1
+  EXPECT_NEAR(window["scatter"], std::sqrt(16.0 / 3.0), 1e-9);
 }
 
 TEST(Scaling, WithoutAWholeRunNoTotalIsClaimed) {

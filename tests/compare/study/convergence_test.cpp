@@ -138,6 +138,8 @@ TEST(Convergence, TakesTheFinestThreeLevelsThatAreFarEnoughApart) {
   EXPECT_EQ((*found)[0].h, 2.5);
   EXPECT_EQ((*found)[1].h, 5);
   EXPECT_EQ((*found)[2].h, 10);
+  // As a study states them: a third of 29 mm has no end.
+  EXPECT_TRUE(systematic_levels({{14.5, 1}, {9.6666666666667, 1}, {5, 1}}));
   EXPECT_FALSE(systematic_levels({{1, 1}, {1.4, 1}, {2, 1}, {2.5, 1}}));
 }
 

@@ -91,7 +91,7 @@ TEST(Sensitivity, TheReportShowsItAndAStudyWithoutItHasNoSuchSection) {
   };
   const VariedStudy files;
   const std::string page = page_of(files);
-  EXPECT_THAT(page, HasSubstr("<section id=\"sensitivity\">"));
+  EXPECT_THAT(page, HasSubstr("<section id=\"sensitivity\""));
   EXPECT_THAT(page, HasSubstr("data-key=\"/sensitivity/mps/runs/0/rms\""));
   EXPECT_THAT(page, HasSubstr("id=\"sensitivity_mps\""));
   EXPECT_THAT(page, Not(HasSubstr("id=\"sensitivity_vof\"")));
@@ -105,7 +105,7 @@ TEST(Sensitivity, NoNumberOfItStandsOutsideTheMetrics) {
   std::string warnings;
   static_cast<void>(write_report(files.collected(), files.out(), warnings));
   std::string page = read_text(files.out() / "index.html");
-  const auto begin = page.find("<section id=\"sensitivity\">");
+  const auto begin = page.find("<section id=\"sensitivity\"");
   page = page.substr(begin, page.find("</section>", begin) - begin);
   const auto figure = page.find("<figure");
   page.erase(figure, page.find("</figure>") - figure);

@@ -4,6 +4,7 @@
 
 #include "compare/study/study_json.hpp"
 #include "tests/compare/synthetic.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare {
 namespace {
@@ -13,8 +14,8 @@ using ::testing::AllOf;
 using testing::error_of;
 using ::testing::HasSubstr;
 
-const fs::path source(SURGE_SOURCE_DIR);
-const fs::path programs(SURGE_BIN_DIR);
+const fs::path source(tests::sources());
+const fs::path programs(tests::programs());
 
 std::string head(const std::string& published = "[]") {
   return "title = \"t\"\nreference = \"ref\"\nstrip_height = 0.015\nsnapshot_times = [0.1]\n"
@@ -68,6 +69,51 @@ TEST(StudyCheck, EachRunIsResolvedByItsProgram) {
   EXPECT_EQ(told.at("runs")[1].at("settings")[0], "method.name=sph");
   EXPECT_EQ(told.at("runs")[1].at("roles")[0].at("role"), "comparison");
   EXPECT_EQ(to_json(study, "a").at("runs").size(), 1U);
+}
+
+// Nothing runs for an observable that cannot be measured.
+TEST(StudyCheck, ObservablesAreHeldAgainstTheCaseOfEachRun) {
+  const auto study = [](const std::string& kind, const std::string& parameters) {
+    return head() + particles("ref", "\"resolution.spacing=0.0145\"") +
+           "[[observable]]\nname = \"o\"\nkind = \"" + kind + "\"\nparameters = {" + parameters +
+           "}\n";
+  };
+  const auto asked = [&](const std::string& kind, const std::string& parameters) {
+    return refusal(study(kind, parameters));
+  };
+  EXPECT_NO_THROW((void)checked(study("gauge", "x = 0.3")));
+  EXPECT_NO_THROW((void)checked(study("pressure", "name = \"wall_pressure\"")));
+  EXPECT_NO_THROW((void)checked(study("pressure", "x = 0.58, y = 0.0145")));
+  EXPECT_NO_THROW((void)checked(study("overlap", "")));
+  EXPECT_THAT(asked("gauge", "X = 0.3"), HasSubstr("observable.0: o: x: found nothing"));
+  EXPECT_THAT(asked("gauge", "x = 0.3, w = 1"), HasSubstr("w: found an unknown parameter"));
+  EXPECT_THAT(asked("gauge", "name = \"g\""), HasSubstr("found no \"g\" among the gauges of ref"));
+  EXPECT_THAT(asked("pressure", "name = \"p\""),
+              HasSubstr("found no \"p\" among the probes of ref, expected one of wall_pressure"));
+  EXPECT_THAT(asked("pressure", "x = 0.58"), HasSubstr("found 1 of them, expected 2 in 2D"));
+  EXPECT_THAT(asked("force", "name = \"f\""),
+              HasSubstr("found no \"f\" among the forces of ref, expected a case that states it"));
+}
+
+// A level whose lattice does not hold the sizes of the case says what it changes.
+TEST(StudyCheck, ALevelOfConvergenceMayChangeTheSizesThatItNames) {
+  const std::string level = "role = \"convergence\"\ngroup = \"g\"\n";
+  const std::string wider = "\"resolution.spacing=0.029\", \"tank.upper=[0.609, 2.32]\"";
+  EXPECT_THAT(refusal(head() + particles("ref", "") + particles("a", wider) + level),
+              HasSubstr("tank-width: 0.609 m in a"));
+  const Study study = checked(head() + particles("ref", "") + particles("a", wider) + level +
+                              "allow = [\"tank-width\"]\n");
+  EXPECT_EQ(study.runs[1].allowed_differences, std::set<std::string>{"tank-width"});
+  EXPECT_THAT(refusal(head() + particles("ref", "") +
+                      particles("a", wider + ", \"block.0.upper=[0.145, 0.261]\"") + level +
+                      "allow = [\"tank-width\"]\n"),
+              HasSubstr("column-height"));
+  EXPECT_THAT(
+      refusal(head() + particles("ref", "") + particles("a", wider) + "allow = [\"tank-width\"]\n"),
+      HasSubstr("allow: found role comparison, expected role convergence"));
+  EXPECT_THAT(refusal(head() + particles("ref", "") + particles("a", wider) + level +
+                      "allow = [\"width\"]\n"),
+              HasSubstr("allow: found \"width\", expected names out of dimension"));
 }
 
 TEST(StudyCheck, ARunInTwoRolesStandsOnceInTheList) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "tests/compare/synthetic.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare {
 namespace {
@@ -100,7 +101,7 @@ TEST(Study, TheReferenceIsOneOfTheRunsThatAreCompared) {
 }
 
 TEST(Study, ThoseOfThisRepositoryAreRead) {
-  const std::filesystem::path folder = std::string(SURGE_SOURCE_DIR) + "/compare/studies";
+  const std::filesystem::path folder = tests::sources() + "/compare/studies";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".toml") continue;
     EXPECT_NO_THROW((void)read_study(entry.path())) << entry.path();

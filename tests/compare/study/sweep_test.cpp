@@ -8,6 +8,7 @@
 
 #include "compare/study/run_table.hpp"
 #include "tests/compare/synthetic.hpp"
+#include "tests/places.hpp"
 
 namespace surge::compare {
 namespace {
@@ -141,7 +142,7 @@ std::string line_of(const StudyRun& run) {
 
 // The sweeps of the whole study stand for the very runs that were once written out one by one.
 TEST(Sweep, TheStudiesOfThisRepositoryStandForTheRunsOfOnce) {
-  const std::filesystem::path source(SURGE_SOURCE_DIR);
+  const std::filesystem::path source(tests::sources());
   std::map<std::string, std::vector<std::array<std::string, 3>>> once;
   std::ifstream in(source / "tests/compare/study/written_out_runs.txt");
   for (std::string file, name, role, hash; in >> std::ws && in.good();) {

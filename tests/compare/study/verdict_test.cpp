@@ -34,6 +34,27 @@ TEST(Verdict, UncertaintiesAddAsSquares) {
   EXPECT_EQ(verdict.interval(), std::nullopt);
 }
 
+TEST(Verdict, MomentsAreTheMiddlesOfEqualParts) {
+  EXPECT_THAT(followed_moments(1.0, 17.0), ::testing::ElementsAre(2, 4, 6, 8, 10, 12, 14, 16));
+}
+
+TEST(Verdict, WhatIsUndecidedNamesWhatWouldDecideIt) {
+  Verdict verdict;
+  verdict.run = "a";
+  verdict.against = "b";
+  verdict.tolerance = 0.05;
+  verdict.parts = {0.01, 0.04, 0.0, 0.02};
+  verdict.settle("");
+  EXPECT_EQ(verdict.outcome, Outcome::undecided);
+  EXPECT_THAT(verdict.why, HasSubstr("most of which is due to the resolution of b"));
+  verdict.parts.reference = 0.0;
+  verdict.settle("");
+  EXPECT_EQ(verdict.outcome, Outcome::agrees);
+  EXPECT_EQ(verdict.why, "");
+  verdict.settle("the reason");
+  EXPECT_EQ(verdict.why, "the reason");
+}
+
 // phi = 1 + h^2: of second order, so that 1.25 |phi1 - phi2| / (r^2 - 1) = 1.25 h1^2.
 TEST(Verdict, ALevelIsUncertainByItsIndexAndItsDistanceFromTheFinest) {
   const std::vector<LevelValue> levels{{0.4, 1.16}, {0.1, 1.01}, {0.2, 1.04}};

@@ -34,6 +34,22 @@ TEST(ExactDrop, AgreesWithTheQuadratureOfItsEnergy) {
   EXPECT_EQ(drop_axes(100.0, 0.0).x, 1.0);
 }
 
+// Volume and kinetic energy stay, and so does the form of a sphere that does not move.
+TEST(ExactEllipsoid, KeepsItsVolumeAndEnergy) {
+  const std::array<double, 3> rates{100.0, -70.0, -30.0};
+  constexpr double step = 1e-6;
+  for (const double t : {1e-3, 4e-3, 8e-3}) {
+    const auto a = ellipsoid_axes(rates, t);
+    EXPECT_NEAR(a[0] * a[1] * a[2], 1.0, 1e-9);
+    const auto before = ellipsoid_axes(rates, t - step), after = ellipsoid_axes(rates, t + step);
+    double energy = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      energy += std::pow((after[i] - before[i]) / (2.0 * step), 2);
+    EXPECT_NEAR(energy / (1e4 + 4.9e3 + 0.9e3), 1.0, 1e-6);
+  }
+  EXPECT_EQ(ellipsoid_axes({0.0, 0.0, 0.0}, 1.0), (std::array<double, 3>{1.0, 1.0, 1.0}));
+}
+
 TEST(ExactWave, FrequencyInDeepAndShallowWater) {
   EXPECT_NEAR(wave_frequency(9.81, 2.0, 50.0), std::sqrt(9.81 * 2.0), 1e-12);
   EXPECT_NEAR(wave_frequency(9.81, 1e-4, 1.0), 1e-4 * std::sqrt(9.81), 1e-11);

@@ -1,0 +1,152 @@
+#include "compare/study/observables.hpp"
+
+#include <gmock/gmock.h>
+
+#include "compare/report/report.hpp"
+#include "compare/study/observable_verdicts.hpp"
+#include "tests/compare/synthetic_study.hpp"
+
+namespace surge::compare {
+namespace {
+
+using testing::error_of;
+using ::testing::HasSubstr;
+using testing::SyntheticStudy;
+
+void append(const SyntheticStudy& files, const std::string& text) {
+  std::ofstream(files.study(), std::ios::app) << text;
+}
+
+const Comparison* find(const CurveComparison& all, CurveMeasure measure) {
+  for (const Comparison& one : all.measures)
+    if (one.measure == measure) return &one;
+  return nullptr;
+}
+
+const RunResult& run_of(const StudyResult& study, const std::string& name) {
+  for (const RunResult& run : study.runs)
+    if (run.study.name == name) return run;
+  throw Error("no run " + name);
+}
+
+const std::string edge =
+    "[[observable]]\nname = \"edge\"\nkind = \"front\"\ncompare = [\"rms\", \"arrival\", "
+    "\"peak\"]\nthreshold = \"2*L\"\ntolerance = {rms = \"0.05*L\"}\n";
+
+TEST(Observables, DifferencesAndVerdictsAreThoseOfTheFronts) {
+  const SyntheticStudy files;
+  files.refine_all();
+  append(files, edge);
+  const StudyResult study = files.collected();
+  const auto quantities = observed_quantities(study);
+  ASSERT_EQ(quantities.size(), 1U);
+  EXPECT_EQ(quantities[0].key, "edge");
+  EXPECT_EQ(quantities[0].unit, "m");
+  const auto all = compare_curve(study, quantities[0], run_of(study, "mps-a"));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].against, "vof-20");
+  EXPECT_NEAR(all[0].begin, 0.0, 1e-12);
+  EXPECT_NEAR(all[0].end, 0.22, 1e-12);
+  // The lead comes with the second frame, so that it grows in the first interval.
+  const double lead = 0.02 * SyntheticStudy::length;
+  const Comparison* rms = find(all[0], CurveMeasure::rms);
+  ASSERT_TRUE(rms != nullptr && rms->verdict);
+  EXPECT_NEAR(rms->verdict->difference, lead * std::sqrt((21.0 + 1.0 / 3.0) / 22.0), 1e-9);
+  EXPECT_NEAR(*rms->maximum, lead, 1e-9);
+  EXPECT_NEAR(rms->verdict->tolerance, 0.05 * SyntheticStudy::length, 1e-12);
+  EXPECT_EQ(rms->verdict->outcome, Outcome::agrees);
+  const Comparison* arrival = find(all[0], CurveMeasure::arrival);
+  ASSERT_TRUE(arrival != nullptr && arrival->verdict);
+  EXPECT_NEAR(arrival->verdict->difference, -lead / 2.0, 1e-9);  // at 2 m/s
+  EXPECT_EQ(arrival->unit, "s");
+}
+
+// The clock of an experiment may be off; both differences are told.
+TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
+  const SyntheticStudy files;
+  testing::write_text(
+      files.series() / "c.toml",
+      "title = \"c\"\ndimension = 2\n[fluid]\ndensity = 1000.0\ngravity = [0.0, -9.81]\n"
+      "[tank]\nlower = [0.0, 0.0]\nupper = [0.58, 1.16]\nopen = [\"y+\"]\n"
+      "[[block]]\nshape = \"box\"\nlower = [0.0, 0.0]\nupper = [0.145, 0.29]\n"
+      "[resolution]\nspacing = 0.0145\n[time]\nend = 1.0\n[output]\ninterval = 0.1\n");
+  testing::write_text(
+      files.series() / "clock.csv",
+      "# label: A\n# citation: B 1952\n# case: c\n# observable: front\n# axes: t, x\n"
+      "# time_unit: s\n# value_unit: cm\n# kind: experiment\n# time_uncertainty: 0.001\n"
+      "# value_uncertainty: 0.1\n# gate: none\n# time_shift: fitted within 0.05*s\nt,value\n"
+      "0.07,24.5\n0.12,34.5\n0.17,44.5\n");
+  append(files, edge + "references = [\"clock\"]\n");
+  const StudyResult study = files.collected();
+  const auto all = compare_curve(study, observed_quantities(study)[0], run_of(study, "mps-a"));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[1].skipped, "");
+  const double lead = 0.02 * SyntheticStudy::length;
+  EXPECT_NEAR(all[1].shift, -0.02 - lead / 2.0, 1e-4);
+  const Comparison* rms = find(all[1], CurveMeasure::rms);
+  ASSERT_TRUE(rms != nullptr && rms->verdict && rms->unshifted);
+  EXPECT_LT(rms->verdict->difference, 3e-4);
+  EXPECT_NEAR(*rms->unshifted, 2.0 * 0.02 + lead, 2e-4);
+  EXPECT_EQ(find(all[0], CurveMeasure::rms)->unshifted, std::nullopt);
+}
+
+TEST(Observables, WithoutLevelsNothingIsDecided) {
+  const SyntheticStudy files;
+  append(files, edge);
+  const StudyResult study = files.collected();
+  const auto all = compare_curve(study, observed_quantities(study)[0], run_of(study, "mps-a"));
+  const Comparison* rms = find(all.at(0), CurveMeasure::rms);
+  ASSERT_TRUE(rms != nullptr && rms->verdict);
+  EXPECT_EQ(rms->verdict->outcome, Outcome::undecided);
+  EXPECT_THAT(rms->verdict->why, HasSubstr("two more resolutions"));
+}
+
+TEST(Observables, OfACaseAreThoseThatItDeclares) {
+  const SyntheticStudy files;
+  const StudyResult study = files.collected();
+  std::vector<std::string> names;
+  for (const StudyObservable& one : study.observables) names.push_back(one.request());
+  EXPECT_THAT(names, ::testing::ElementsAre("pressure:x=0.58,y=0.0145", "centre-of-mass",
+                                            "potential-energy", "kinetic-energy", "volume"));
+  EXPECT_TRUE(study.has_front);
+}
+
+TEST(Observables, OneWithoutAFrontNeedsNone) {
+  const SyntheticStudy files;
+  std::string text = testing::read_text(files.study());
+  const auto claims = text.find("claims = \"alves_dreux\"\n");
+  text.erase(claims, 23);
+  testing::write_text(files.study(), text + "[[observable]]\nname = \"v\"\nkind = \"volume\"\n");
+  const StudyResult study = files.collected();
+  EXPECT_FALSE(study.has_front);
+  EXPECT_TRUE(study.reference_run().history.empty());
+  std::string warnings;
+  const nlohmann::json metrics = write_report(study, files.out(), warnings);
+  EXPECT_EQ(warnings, "");
+  EXPECT_TRUE(metrics["observables"].contains("v"));
+  EXPECT_FALSE(metrics["front"]["mps-a"].contains("arrival_T"));
+  const std::string page = testing::read_text(files.out() / "index.html");
+  EXPECT_THAT(page, ::testing::Not(HasSubstr("Leading edge Z/L")));
+  EXPECT_THAT(page, ::testing::Not(HasSubstr("the paper")));
+  EXPECT_THAT(page, HasSubstr("id=\"observable_v\""));
+}
+
+TEST(Observables, SayWhatIsWrong) {
+  const auto said = [](const std::string& text) {
+    return error_of([&] {
+      static_cast<void>(
+          read_observables(TomlTable::parse("[[observable]]\nname = \"a\"\n" + text, "s.toml")));
+    });
+  };
+  EXPECT_THAT(said("kind = \"levels\"\n"), HasSubstr("s.toml:3: observable.0.kind"));
+  EXPECT_THAT(said("kind = \"volume\"\ncompare = [\"mean\"]\n"), HasSubstr("expected one of rms"));
+  EXPECT_THAT(said("kind = \"volume\"\ncompare = [\"rms\", \"rms\"]\n"), HasSubstr("it once"));
+  EXPECT_THAT(said("kind = \"volume\"\ncompare = [\"arrival\"]\n"), HasSubstr("threshold"));
+  EXPECT_THAT(said("kind = \"volume\"\ncompare = [\"phase\"]\n"), HasSubstr("period"));
+  EXPECT_THAT(said("kind = \"volume\"\nwindow = [1.0]\n"), HasSubstr("two times"));
+  EXPECT_THAT(said("kind = \"volume\"\n[[observable]]\nname = \"a\"\nkind = \"volume\"\n"),
+              HasSubstr("a second time"));
+}
+
+}  // namespace
+}  // namespace surge::compare
