@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CheckInput {
   std::string source;
   std::string baseline;
   std::string reason, because;
@@ -47,7 +47,7 @@ std::vector<std::string> tell_notices(const ObservedRun& source) {
 
 /// What stands in the baseline is blessed again where nothing else is asked for.
 void keep_choices(const Baseline& before, std::vector<std::string>& observables,
-                  BlessOptions& options, const Arguments& arguments) {
+                  BlessOptions& options, const CheckInput& arguments) {
   if (observables.empty()) {
     observables = before.observables();
     for (const BaselineCurve& curve : before.curves) {
@@ -63,7 +63,7 @@ void keep_choices(const Baseline& before, std::vector<std::string>& observables,
   if (!arguments.front.given()) options.front = before.front;
 }
 
-void bless_run(const Arguments& arguments) {
+void bless_run(const CheckInput& arguments) {
   const Provenance measured = provenance_now(arguments.reason);
   const fs::path file = arguments.baseline, path = arguments.source;
   BlessOptions options;
@@ -112,14 +112,14 @@ void bless_run(const Arguments& arguments) {
               source.run.name.c_str(), measured.by.c_str());
 }
 
-void write_files(const Arguments& arguments, const CheckReport& report) {
+void write_files(const CheckInput& arguments, const CheckReport& report) {
   if (!arguments.junit.empty())
     write_to(arguments.junit, [&](std::ostream& out) { write_junit(out, {report}); });
   if (!arguments.json.empty())
     write_to(arguments.json, [&](std::ostream& out) { out << dump(to_json(report)) << '\n'; });
 }
 
-int check_run(const Arguments& arguments) {
+int check_run(const CheckInput& arguments) {
   const Baseline baseline = read_baseline(arguments.baseline);
   const fs::path path = arguments.source;
   CheckReport report{run_name(path), arguments.baseline, window_text(baseline), {}, {}, ""};
@@ -154,7 +154,7 @@ int check_run(const Arguments& arguments) {
   return report.passed() ? exit_success : exit_check_failed;
 }
 
-void add_bless_options(CLI::App& command, Arguments& arguments) {
+void add_bless_options(CLI::App& command, CheckInput& arguments) {
   const std::string group = "With --bless";
   auto* bless = command.add_flag("--bless", arguments.bless,
                                  "write the baseline from this source instead; the only way to "
@@ -189,7 +189,7 @@ void add_bless_options(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CheckInput>();
   CLI::App* command =
       app.add_subcommand("check", "Holds a source's observables against a stored baseline");
   command

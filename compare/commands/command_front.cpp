@@ -13,7 +13,7 @@
 namespace surge::compare {
 namespace {
 
-struct Arguments {
+struct FrontInput {
   std::string source;
   std::string out, json;
   std::string study;
@@ -39,7 +39,7 @@ nlohmann::json to_json(const Run& run, const FrontHistory& history) {
   return out;
 }
 
-void write_files(const Arguments& arguments, const Run& run, const FrontHistory& history) {
+void write_files(const FrontInput& arguments, const Run& run, const FrontHistory& history) {
   if (!arguments.json.empty())
     write_to(arguments.json,
              [&](std::ostream& out) { out << dump(to_json(run, history)) << '\n'; });
@@ -50,7 +50,7 @@ void write_files(const Arguments& arguments, const Run& run, const FrontHistory&
   }
 }
 
-void run_front(const Arguments& arguments) {
+void run_front(const FrontInput& arguments) {
   if (arguments.out.empty() && arguments.json.empty())
     throw Error("front: found neither --out nor --json, expected one of them");
   if (arguments.out == "-" && arguments.json == "-")
@@ -89,7 +89,7 @@ void run_front(const Arguments& arguments) {
 }  // namespace
 
 void add_front_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FrontInput>();
   CLI::App* command = app.add_subcommand("front", "Leading edge of one source over time, as CSV");
   command
       ->add_option("SOURCE", arguments->source,

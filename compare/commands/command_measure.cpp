@@ -16,7 +16,7 @@
 namespace surge::compare {
 namespace {
 
-struct Arguments {
+struct MeasureInput {
   std::vector<std::string> sources;
   std::vector<std::string> observables;
   std::string reference;
@@ -29,7 +29,7 @@ struct Arguments {
 /// The sources and the reference, each with what was said about its files.
 class Files {
  public:
-  explicit Files(const Arguments& arguments) {
+  explicit Files(const MeasureInput& arguments) {
     for (const std::string& source : arguments.sources) add(source);
     if (!arguments.reference.empty()) add(arguments.reference);
     options_ = arguments.files.get(paths_);
@@ -59,7 +59,7 @@ void list_observables() {
   }
 }
 
-MeasuredSource measure_source(Run run, const Arguments& arguments, const Run* reference) {
+MeasuredSource measure_source(Run run, const MeasureInput& arguments, const Run* reference) {
   const ObservableContext context{run, arguments.front.get(std::nullopt), reference};
   std::vector<std::unique_ptr<Observable>> observables;
   for (const std::string& request : arguments.observables)
@@ -74,7 +74,7 @@ MeasuredSource measure_source(Run run, const Arguments& arguments, const Run* re
   return measured;
 }
 
-int run_measure(const Arguments& arguments) {
+int run_measure(const MeasureInput& arguments) {
   if (arguments.list) {
     list_observables();
     return exit_success;
@@ -111,7 +111,7 @@ int run_measure(const Arguments& arguments) {
 }  // namespace
 
 void add_measure_command(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MeasureInput>();
   CLI::App* command = app.add_subcommand(
       "measure", "Any observables of one source or more over time, as a table, CSV or JSON");
   command->add_option("SOURCE", arguments->sources,

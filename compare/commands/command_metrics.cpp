@@ -13,7 +13,7 @@
 namespace surge::compare {
 namespace {
 
-struct Arguments {
+struct MetricsInput {
   StudyArguments study;
   SourceArguments files;
   FrontArguments front;
@@ -51,7 +51,7 @@ void write_json(const std::string& file, const nlohmann::json& value) {
 }
 
 /// Exit code of what the limits make of the metrics.
-int judge(const nlohmann::json& metrics, const Arguments& arguments) {
+int judge(const nlohmann::json& metrics, const MetricsInput& arguments) {
   const Limits limits{read_tolerances("--max-rms", arguments.max_rms),
                       read_tolerances("--max-difference", arguments.max_difference),
                       read_tolerances("--max-bias", arguments.max_bias),
@@ -72,7 +72,7 @@ int judge(const nlohmann::json& metrics, const Arguments& arguments) {
   return passed ? exit_success : exit_check_failed;
 }
 
-int run_metrics(const Arguments& arguments) {
+int run_metrics(const MetricsInput& arguments) {
   const std::optional<Study> study = arguments.study.study();
   MetricsOptions options;
   options.front = arguments.front.get(study);
@@ -105,7 +105,7 @@ int run_metrics(const Arguments& arguments) {
 }  // namespace
 
 void add_metrics_command(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MetricsInput>();
   CLI::App* command =
       app.add_subcommand("metrics", "Differences of leading edges between runs, as JSON");
   arguments->study.add_to(*command);

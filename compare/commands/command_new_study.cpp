@@ -9,12 +9,12 @@
 namespace surge::compare {
 namespace {
 
-struct Arguments {
+struct NewStudyInput {
   std::string file;
   std::string case_file = "particle/cases/dam_break.toml";
 };
 
-void write_study(const Arguments& arguments) {
+void write_study(const NewStudyInput& arguments) {
   const std::filesystem::path folder =
       arguments.file == "-" ? "" : std::filesystem::path(arguments.file).parent_path();
   write_new_file(arguments.file, new_study_text(arguments.case_file, folder));
@@ -27,7 +27,7 @@ void write_study(const Arguments& arguments) {
 }  // namespace
 
 void add_new_study_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<NewStudyInput>();
   CLI::App* command =
       app.add_subcommand("new-study", "Writes a commented study to start from, of a case file");
   command->add_option("FILE", arguments->file, "study to write; - for standard output")->required();

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct PlotInput {
   std::string source;
   std::string out;
   std::optional<double> time;
@@ -106,7 +106,7 @@ void write_surface(const fs::path& file, const WaterPicture& water) {
   write_csv(file, {"x0", "y0", "x1", "y1"}, rows);
 }
 
-void run_plot(const Arguments& arguments) {
+void run_plot(const PlotInput& arguments) {
   Run run =
       open_run(arguments.source, arguments.files.get(std::filesystem::path(arguments.source)));
   const std::size_t index = frame_index(run, arguments.time);
@@ -139,7 +139,7 @@ void run_plot(const Arguments& arguments) {
 }  // namespace
 
 void add_plot_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlotInput>();
   CLI::App* command = app.add_subcommand(
       "plot", "Picture (PNG) of one frame of a source, coloured by pressure; in 3D its middle");
   command

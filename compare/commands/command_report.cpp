@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Arguments {
+struct ReportInput {
   std::string study;
   std::string runs = "runs";
   std::string out;
@@ -30,7 +30,7 @@ struct Arguments {
 };
 
 /// Options that say what is to be shown; the three commands share them.
-void add_study_options(CLI::App& command, Arguments& arguments, const std::string& out) {
+void add_study_options(CLI::App& command, ReportInput& arguments, const std::string& out) {
   arguments.out = out;
   command.add_option("--study", arguments.study, "study (TOML): runs, reference, snapshot times")
       ->required();
@@ -45,7 +45,7 @@ void add_study_options(CLI::App& command, Arguments& arguments, const std::strin
 
 /// Makes something of a study. A run whose files turn out to be faulty on the way is left out, and
 /// all is begun again: what is made holds the fault of one run as one run's.
-void make_of_study(const Arguments& arguments,
+void make_of_study(const ReportInput& arguments,
                    const std::function<void(const StudyResult&)>& make) {
   const Study study = read_checked_study(arguments.study, arguments.programs, {}, arguments.series);
   Faults faults;
@@ -73,7 +73,7 @@ void draw_and_say(const Figure& figure, const fs::path& folder) {
   std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
 }
 
-void run_report(const Arguments& arguments, const StudyResult& study) {
+void run_report(const ReportInput& arguments, const StudyResult& study) {
   std::string warnings, table;
   make_in_place(arguments.out, [&](const fs::path& folder) {
     table = summary_table(study, write_report(study, folder, warnings));
@@ -93,7 +93,7 @@ void run_report(const Arguments& arguments, const StudyResult& study) {
 }  // namespace
 
 void add_figures_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportInput>();
   CLI::App* command = app.add_subcommand("figures", "Draws all figures of a study as SVG and PDF");
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
@@ -104,7 +104,7 @@ void add_figures_command(CLI::App& app) {
 }
 
 void add_figure_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportInput>();
   CLI::App* command = app.add_subcommand("figure", "Draws one figure of a study as SVG and PDF");
   command
       ->add_option("NUMBER", arguments->figure,
@@ -123,7 +123,7 @@ void add_figure_command(CLI::App& app) {
 }
 
 void add_report_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportInput>();
   CLI::App* command =
       app.add_subcommand("report", "Writes index.html, metrics.json and figures of a study");
   add_study_options(*command, *arguments, "report");

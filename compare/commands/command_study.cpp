@@ -14,7 +14,7 @@ namespace surge::compare {
 
 namespace {
 
-struct Arguments {
+struct StudyInput {
   std::string study;
   std::string json;
   std::string only;
@@ -47,7 +47,7 @@ void write_json(const std::string& where, const nlohmann::json& value) {
   if (!out) throw write_error(where);
 }
 
-void run_study(const Arguments& arguments) {
+void run_study(const StudyInput& arguments) {
   Study study = read_checked_study(arguments.study, arguments.programs, arguments.only);
   const nlohmann::json out = to_json(study, arguments.only);
   if (!arguments.only.empty() && out["runs"].empty())
@@ -72,7 +72,7 @@ Study read_checked_study(const std::filesystem::path& file, const std::string& p
 }
 
 void add_study_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<StudyInput>();
   CLI::App* command = app.add_subcommand(
       "study", "Reads a study, checks all that it names, and prints what it asks for");
   command->add_option("FILE", arguments->study, "study (TOML)")->required();

@@ -7,7 +7,7 @@ namespace surge::compare {
 namespace {
 
 /// Places in mm from the figure's upper left corner.
-constexpr double left = 9.0, right = 81.0, middle = 0.5 * (left + right);
+constexpr double chart_left = 9.0, chart_right = 81.0, middle = 0.5 * (chart_left + chart_right);
 constexpr double box_height = 8.4, gap = 3.6, diamond_height = 11.0, diamond_half = 17.0;
 constexpr const char* ink = "lc rgb \"#303030\"";
 
@@ -18,12 +18,12 @@ class Flowchart {
   void box(const std::string& does, const std::string& function, const std::string& equations,
            bool terminal = false) {
     const double bottom = y_ + box_height;
-    script_ << "set object rectangle from " << left << ',' << y_ << " to " << right << ',' << bottom
-            << " fc rgb \"" << (terminal ? "#f0f0f0" : "#e6f1f8") << "\" fs solid 1 border " << ink
-            << " lw 0.8\n";
-    text(does, left + 2.0, y_ + 2.7, "left", "\",7\"");
-    text(function, left + 2.0, y_ + 6.1, "left", "\"monospace,6.2\"");
-    text(equations, right - 2.0, y_ + 6.1, "right", "\",6.2\"");
+    script_ << "set object rectangle from " << chart_left << ',' << y_ << " to " << chart_right
+            << ',' << bottom << " fc rgb \"" << (terminal ? "#f0f0f0" : "#e6f1f8")
+            << "\" fs solid 1 border " << ink << " lw 0.8\n";
+    text(does, chart_left + 2.0, y_ + 2.7, "left", "\",7\"");
+    text(function, chart_left + 2.0, y_ + 6.1, "left", "\"monospace,6.2\"");
+    text(equations, chart_right - 2.0, y_ + 6.1, "right", "\",6.2\"");
     y_ = bottom;
   }
 
@@ -36,12 +36,12 @@ class Flowchart {
             << " fc rgb \"#fdf0df\" fs solid 1 border " << ink << " lw 0.8\n";
     text(asks, middle, centre - 1.2, "center", "\",7\"");
     text(function, middle, centre + 1.7, "center", "\"monospace,5.4\"");
-    arrow(middle + diamond_half, centre, right - 10.0, centre, true);
+    arrow(middle + diamond_half, centre, chart_right - 10.0, centre, true);
     text("no", middle + diamond_half + 2.5, centre - 1.6, "center", "\",6.2\"");
-    script_ << "set object rectangle from " << right - 10.0 << ',' << centre - 3.0 << " to "
-            << right << ',' << centre + 3.0 << " fc rgb \"#f0f0f0\" fs solid 1 border " << ink
+    script_ << "set object rectangle from " << chart_right - 10.0 << ',' << centre - 3.0 << " to "
+            << chart_right << ',' << centre + 3.0 << " fc rgb \"#f0f0f0\" fs solid 1 border " << ink
             << " lw 0.8\n";
-    text(end, right - 5.0, centre, "center", "\",7\"");
+    text(end, chart_right - 5.0, centre, "center", "\",7\"");
     y_ = bottom;
     text("yes", middle + 2.0, y_ + 1.6, "left", "\",6.2\"");
   }
@@ -53,7 +53,7 @@ class Flowchart {
 
   /// From below the last box back to a height above, along the left.
   void back_to(double height) {
-    const double out = left - 5.0;
+    const double out = chart_left - 5.0;
     arrow(middle, y_, middle, y_ + 2.5, false);
     arrow(middle, y_ + 2.5, out, y_ + 2.5, false);
     arrow(out, y_ + 2.5, out, height, false);

@@ -3,16 +3,13 @@
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/study/cost_curves.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
 using nlohmann::json;
 
 namespace {
-
-double value_or_gap(const json& value) {
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
 
 /// Rows of both panels; NaN where something is not known.
 Table cost_table(const json& curves) {
@@ -24,10 +21,10 @@ Table cost_table(const json& curves) {
   for (const auto& [name, curve] : curves.items()) {
     for (const json& p : curve["points"]) {
       const json& sample = p[p["window"].is_null() ? "whole" : "window"];
-      const double total = value_or_gap(p["total_s"]);
+      const double total = json_or_gap(p["total_s"]);
       const bool extrapolated = p["extrapolated"];
       const auto share = [&](const char* phase) {
-        return p["shares"].contains(phase) ? value_or_gap(p["shares"][phase]) : std::nan("");
+        return p["shares"].contains(phase) ? json_or_gap(p["shares"][phase]) : std::nan("");
       };
       table.add({name, p["fluid_particles"].get<double>(), p["all_particles"].get<double>(),
                  p["ms_per_step"].get<double>(), sample["ms_per_step_least"].get<double>(),

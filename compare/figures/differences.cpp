@@ -10,7 +10,8 @@ namespace surge::compare {
 
 namespace {
 
-constexpr const char* title = "Where a run has water and the reference has none, and the reverse";
+constexpr const char* differences_title =
+    "Where a run has water and the reference has none, and the reverse";
 /// Okabe & Ito (2008): two colours that differ in tone and in brightness, on a pale grey.
 constexpr Colour only_run{0xd5, 0x5e, 0x00}, only_reference{0x00, 0x72, 0xb2},
     both{0xd8, 0xd8, 0xd8};
@@ -113,7 +114,7 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
                        double(std::max<std::size_t>(runs.size(), 2));
   Figure figure;
   figure.name = "differences";
-  figure.title = title;
+  figure.title = differences_title;
   figure.width_mm = double_column_mm;
   Table table{"differences",
               {"run", "time_s", "only_run_m2", "only_reference_m2", "both_m2", "over_reference"},

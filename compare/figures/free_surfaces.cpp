@@ -9,13 +9,14 @@ namespace surge::compare {
 
 namespace {
 
-constexpr const char* title = "Free surfaces of all runs";
+constexpr const char* surfaces_title = "Free surfaces of all runs";
 constexpr std::size_t columns = 2;
 /// Places in mm.
-constexpr double left = 14.0, right = 3.0, top = 5.0, column_gap = 9.0, row_gap = 8.0, foot = 11.0;
+constexpr double left_mm = 14.0, right_mm = 3.0, top_mm = 5.0, column_gap = 9.0, row_gap = 8.0,
+                 foot = 11.0;
 constexpr double line = 3.9, tallest = 90.0;
 constexpr double panel_width =
-    (double_column_mm - left - right - column_gap * (columns - 1)) / columns;
+    (double_column_mm - left_mm - right_mm - column_gap * (columns - 1)) / columns;
 
 struct Line {
   const RunResult* run;
@@ -23,7 +24,7 @@ struct Line {
   std::vector<Segment> surface;
 };
 
-struct Panel {
+struct SurfacePanel {
   Seconds time;
   std::vector<Line> lines;
   double height = 0.5;  ///< over L
@@ -38,8 +39,8 @@ std::vector<std::pair<const RunResult*, LineStyle>> styled_runs(const StudyResul
   return runs;
 }
 
-Panel make_panel(const StudyResult& study, Seconds time) {
-  Panel panel{time, {}};
+SurfacePanel make_panel(const StudyResult& study, Seconds time) {
+  SurfacePanel panel{time, {}};
   for (const auto& [result, style] : styled_runs(study)) {
     const Run& run = result->measured->run;
     const auto index = frame_near(run.frames->times(), time);
@@ -56,9 +57,9 @@ struct Span {
   double x0 = 0.0, x1 = 1.0;
 };
 
-Span span_of(const Solids& solids, const std::vector<Panel>& panels) {
+Span span_of(const Solids& solids, const std::vector<SurfacePanel>& panels) {
   Span span;
-  for (const Panel& panel : panels)
+  for (const SurfacePanel& panel : panels)
     for (const Line& one : panel.lines)
       for (const Segment& s : one.surface) {
         span.x0 = std::min({span.x0, s.x0, s.x1});
@@ -75,7 +76,7 @@ std::string box(const Rectangle& r, const char* colour) {
          "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
 }
 
-std::string plots_of(const Panel& panel) {
+std::string plots_of(const SurfacePanel& panel) {
   std::string plots;
   for (const Line& one : panel.lines) {
     if (one.surface.empty()) continue;
@@ -92,16 +93,17 @@ std::string plots_of(const Panel& panel) {
   return plots.empty() ? "plot 1/0 notitle\n" : plots + "\n";
 }
 
-double rounded(double value) {
+double tidy(double value) {
   return std::round(1e5 * value) / 1e5;
 }
 
 }  // namespace
 
 Figure surface_figure(const StudyResult& study) {
-  std::vector<Panel> panels;
+  std::vector<SurfacePanel> panels;
   for (Seconds time : study.study.snapshot_times) panels.push_back(make_panel(study, time));
-  if (panels.empty()) return empty_figure("surfaces", title, "The study names no snapshot_times.");
+  if (panels.empty())
+    return empty_figure("surfaces", surfaces_title, "The study names no snapshot_times.");
   const Solids solids = solids_of(study.reference_run().run);
   const Span span = span_of(solids, panels);
   const double scale = panel_width / (span.x1 - span.x0);  // mm per L
@@ -109,7 +111,7 @@ Figure surface_figure(const StudyResult& study) {
 
   Figure figure;
   figure.name = "surfaces";
-  figure.title = title;
+  figure.title = surfaces_title;
   figure.width_mm = double_column_mm;
   figure.caption =
       "The free surface of every run at each time: on a mesh half a volume fraction, of particles "
@@ -121,19 +123,19 @@ Figure surface_figure(const StudyResult& study) {
     if (k % columns == 0) heights.push_back(0.0);
     heights.back() = std::max(heights.back(), std::clamp(panels[k].height * scale, 8.0, tallest));
   }
-  figure.height_mm = top + foot + 2.0 + line * std::ceil(double(runs.size()) / 2.0);
+  figure.height_mm = top_mm + foot + 2.0 + line * std::ceil(double(runs.size()) / 2.0);
   for (const double height : heights) figure.height_mm += height + row_gap;
   const auto x = [](double mm) { return fixed_text(mm / double_column_mm, 5); };
   const auto y = [&](double mm) { return fixed_text(1.0 - mm / figure.height_mm, 5); };
   figure.script =
       "set multiplot\nunset grid\nset border 11 lw 0.8 lc rgb \"#404040\"\nset key off\n";
   Table table{"surfaces", {"run", "time_s", "x0", "y0", "x1", "y1"}, {}};
-  double above = top;
+  double above = top_mm;
   for (std::size_t k = 0; k < panels.size(); ++k) {
-    const Panel& panel = panels[k];
+    const SurfacePanel& panel = panels[k];
     const std::size_t row = k / columns, column = k % columns;
     const double height = heights[row];
-    const double from = left + double(column) * (panel_width + column_gap);
+    const double from = left_mm + double(column) * (panel_width + column_gap);
     figure.script += "unset object\nset lmargin at screen " + x(from) + "\nset rmargin at screen " +
                      x(from + panel_width) + "\nset tmargin at screen " + y(above) +
                      "\nset bmargin at screen " + y(above + height) + "\nset xrange [" +
@@ -155,15 +157,15 @@ Figure surface_figure(const StudyResult& study) {
         "\" at graph 0,1 left offset 0,character 0.6\n" + plots_of(panel);
     for (const Line& one : panel.lines)
       for (const Segment& s : one.surface)
-        table.add({one.run->study.name, panel.time.value(), rounded(s.x0), rounded(s.y0),
-                   rounded(s.x1), rounded(s.y1)});
+        table.add({one.run->study.name, panel.time.value(), tidy(s.x0), tidy(s.y0), tidy(s.x1),
+                   tidy(s.y1)});
     if (column + 1 == columns || k + 1 == panels.size()) above += height + row_gap;
   }
   // The legend, below all panels.
   figure.script +=
       "unset object\nunset label\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
       "set lmargin at screen 0\nset rmargin at screen 1\nset key at screen " +
-      x(left) + "," + y(above + foot - row_gap + 3.0) +
+      x(left_mm) + "," + y(above + foot - row_gap + 3.0) +
       " left top vertical maxcols 2 Left reverse\nset xrange [0:1]\nset yrange [0:1]\nplot 1/0 "
       "notitle";
   for (std::size_t k = 0; k < runs.size(); ++k)

@@ -43,7 +43,7 @@ Drawing drawing_of(const Physics& physics) {
   return d;
 }
 
-std::string line(double x0, double y0, double x1, double y1, const std::string& style) {
+std::string edge_line(double x0, double y0, double x1, double y1, const std::string& style) {
   return "set arrow from " + plot_number(x0) + "," + plot_number(y0) + " to " + plot_number(x1) +
          "," + plot_number(y1) + " " + style + "\n";
 }
@@ -62,22 +62,23 @@ std::string water(const Drawing& d) {
 
 std::string walls(const Drawing& d) {
   const std::string style = "nohead lw 2.2 lc rgb \"#303030\"";
-  std::string script = line(0, 0, d.tank_width, 0, style) + line(0, 0, 0, d.top, style);
-  if (d.walls) script += line(d.tank_width, 0, d.tank_width, d.top, style);
+  std::string script = edge_line(0, 0, d.tank_width, 0, style) + edge_line(0, 0, 0, d.top, style);
+  if (d.walls) script += edge_line(d.tank_width, 0, d.tank_width, d.top, style);
   return script;
 }
 
 std::string dimensions(const Drawing& d) {
   const std::string both = "heads size graph 0.015,20 filled lw 0.7 lc rgb \"#303030\"";
   const double gap = 0.18 * d.length;
-  std::string script = line(0, -gap, d.column_width, -gap, both) +
-                       label(dimension_text("", d.column_width, d.length), 0.5 * d.column_width,
-                             -gap, "center offset 0,-0.8") +
-                       line(d.column_width + gap, 0, d.column_width + gap, d.column_height, both) +
-                       label(dimension_text("{/:Italic H}", d.column_height, d.length),
-                             d.column_width + 1.4 * gap, 0.5 * d.column_height, "left");
+  std::string script =
+      edge_line(0, -gap, d.column_width, -gap, both) +
+      label(dimension_text("", d.column_width, d.length), 0.5 * d.column_width, -gap,
+            "center offset 0,-0.8") +
+      edge_line(d.column_width + gap, 0, d.column_width + gap, d.column_height, both) +
+      label(dimension_text("{/:Italic H}", d.column_height, d.length), d.column_width + 1.4 * gap,
+            0.5 * d.column_height, "left");
   if (!d.walls) return script;
-  script += line(0, -3.2 * gap, d.tank_width, -3.2 * gap, both) +
+  script += edge_line(0, -3.2 * gap, d.tank_width, -3.2 * gap, both) +
             label(dimension_text("", d.tank_width, d.length), 0.5 * d.tank_width, -3.2 * gap,
                   "center offset 0,-0.8");
   if (d.tank_height > d.top) {
@@ -90,8 +91,8 @@ std::string dimensions(const Drawing& d) {
 std::string gravity(const Drawing& d, const Physics& physics) {
   const double x = 0.5 * (d.column_width + d.tank_width) + 0.3 * d.length;
   const double y = 0.62 * d.column_height;
-  return line(x, y, x, y - 0.6 * d.length,
-              "head size graph 0.02,20 filled lw 1 lc rgb \"#303030\"") +
+  return edge_line(x, y, x, y - 0.6 * d.length,
+                   "head size graph 0.02,20 filled lw 1 lc rgb \"#303030\"") +
          label("{/:Italic g} = " + fixed_text(physics.gravity_magnitude(), 2) + " m/s²", x,
                y - 0.3 * d.length, "left offset 0.8,0");
 }

@@ -9,7 +9,7 @@ namespace surge::compare {
 
 namespace {
 
-constexpr const char* title = "Fig. 2. Interaction domain of a particle";
+constexpr const char* interaction_title = "Fig. 2. Interaction domain of a particle";
 constexpr double beyond = 1.5;  ///< by which the picture reaches beyond the largest radius, l0
 
 /// The run's last frame that is not after the study's second snapshot time.
@@ -98,14 +98,15 @@ std::optional<Interaction> find_interaction(const StudyResult& study) {
 Figure interaction_figure(const StudyResult& study) {
   const auto found = find_interaction(study);
   if (!found)
-    return empty_figure("fig2", title, "No particle run of this study has a method.json.");
+    return empty_figure("fig2", interaction_title,
+                        "No particle run of this study has a method.json.");
   const auto& radii = found->radii_over_l0;
   const double reach = radii.front() + beyond;
   const Scales scales = study.reference_run().run.physics.scales();
 
   Figure figure;
   figure.name = "fig2";
-  figure.title = title;
+  figure.title = interaction_title;
   figure.caption = "From the run " + found->run->study.name +
                    " at t = " + fixed_text(found->time.value(), 3) +
                    " s (T = " + fixed_text(scales.dimensionless(found->time).value(), 2) +

@@ -14,7 +14,7 @@ namespace {
 constexpr double near_limit = 0.06;
 constexpr double reference_width = 0.8, run_width = 1.3;
 
-struct Curve {
+struct FrontCurve {
   const RunResult* run;
   LineStyle style;
   std::string label;  ///< in the legend
@@ -22,8 +22,8 @@ struct Curve {
   [[nodiscard]] const std::string& key() const { return run->study.name; }  ///< in the CSV files
 };
 
-std::vector<Curve> curves_of(const StudyResult& study) {
-  std::vector<Curve> curves;
+std::vector<FrontCurve> curves_of(const StudyResult& study) {
+  std::vector<FrontCurve> curves;
   std::size_t index = 0;
   for (const RunResult* run : study.measured()) {
     const bool reference = run == &study.reference();
@@ -61,7 +61,7 @@ std::string series_label(const PublishedSeries& series, double shift) {
 }
 
 Table front_table(const std::string& name, const StudyResult& study,
-                  const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+                  const std::vector<FrontCurve>& curves, const std::vector<double>& shifts) {
   Table table{name, {"series", "kind", "time_s", "T", "Z_over_L", "dT", "dZ"}, {}};
   for (const auto& curve : curves) {
     const MeasuredRun& measured = *curve.run->measured;
@@ -86,7 +86,7 @@ Table front_table(const std::string& name, const StudyResult& study,
 
 /// Z/L of each run minus the reference's at the run's own times, inside the common window.
 Table difference_table(const std::string& name, const StudyResult& study,
-                       const std::vector<Curve>& curves) {
+                       const std::vector<FrontCurve>& curves) {
   Table table{name, {"series", "T", "dZ_over_L"}, {}};
   const DimensionlessFront& reference = study.reference_run().front;
   for (const auto& curve : curves) {
@@ -136,7 +136,7 @@ Axes axes_of(const StudyResult& study) {
   return {std::ceil(2.0 * (axes.t_end + 0.1)) / 2.0, axes.z_end + 0.15};
 }
 
-std::string joined(const std::vector<std::string>& plots) {
+std::string one_plot(const std::vector<std::string>& plots) {
   std::string text = "plot ";
   for (std::size_t i = 0; i < plots.size(); ++i) text += (i ? ", \\\n     " : "") + plots[i];
   return text + "\n";
@@ -157,12 +157,12 @@ constexpr const char* band_style = "fs transparent solid 0.25 noborder fc rgb \"
 
 /// The reference with its band and the published series first, so that the runs lie over them.
 std::string plots_of(const std::string& file, const StudyResult& study,
-                     const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+                     const std::vector<FrontCurve>& curves, const std::vector<double>& shifts) {
   std::vector<std::string> plots;
   if (front_uncertainty(study, study.reference()))
     plots.push_back("\"" + file + "_band.csv\" using 1:2:3 with filledcurves " + band_style +
                     " title \"95 % interval of the reference\"");
-  const auto add_curve = [&](const Curve& curve, double width) {
+  const auto add_curve = [&](const FrontCurve& curve, double width) {
     plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
                     line_spec(curve.style, width) + " title " + plot_string(curve.label));
   };
@@ -179,11 +179,11 @@ std::string plots_of(const std::string& file, const StudyResult& study,
   }
   for (const auto& curve : curves)
     if (curve.run != &study.reference()) add_curve(curve, run_width);
-  return joined(plots);
+  return one_plot(plots);
 }
 
 std::string upper_panel(const std::string& file, const StudyResult& study,
-                        const std::vector<Curve>& curves, const std::vector<double>& shifts) {
+                        const std::vector<FrontCurve>& curves, const std::vector<double>& shifts) {
   const Axes axes = axes_of(study);
   std::string script = "set xrange [0:" + fixed_text(axes.t_end, 2) +
                        "]\nset yrange [0.9:" + fixed_text(axes.z_end, 3) +
@@ -208,7 +208,7 @@ double tic_step(double limit) {
 }
 
 /// The largest difference of a run; zero where it has none.
-double farthest(const Table& differences, const Curve& curve) {
+double farthest(const Table& differences, const FrontCurve& curve) {
   double most = 0.0;
   for (const auto& row : differences.rows)
     if (std::get<std::string>(row[0]) == curve.key())
@@ -218,7 +218,7 @@ double farthest(const Table& differences, const Curve& curve) {
 
 /// Differences up to a limit, of these runs.
 std::string difference_panel(const Table& differences, const StudyResult& study,
-                             const std::vector<Curve>& curves, double limit, bool last) {
+                             const std::vector<FrontCurve>& curves, double limit, bool last) {
   std::string script = "unset object\n" + window_mark(study, "graph 0", "graph 1");
   const auto u = front_uncertainty(study, study.reference());
   if (u) {
@@ -236,7 +236,7 @@ std::string difference_panel(const Table& differences, const StudyResult& study,
   for (const auto& curve : curves)
     plots.push_back(filtered(differences.name, curve.key(), "T", "dZ_over_L") + " with lines " +
                     line_spec(curve.style, run_width));
-  return script + joined(plots);
+  return script + one_plot(plots);
 }
 
 /// Panels from the top, in mm, and the legend under them with a line per curve.
@@ -246,7 +246,7 @@ std::string panel_margins(double top, double bottom, double height) {
 }
 
 /// For a closer look: the published series as they are shown, and the runs.
-void add_plotted(Figure& figure, const StudyResult& study, const std::vector<Curve>& curves,
+void add_plotted(Figure& figure, const StudyResult& study, const std::vector<FrontCurve>& curves,
                  const std::vector<double>& shifts) {
   for (const auto& curve : curves)
     figure.curves.push_back(
@@ -271,9 +271,9 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   const bool has_band = !band.rows.empty();
   if (has_band) figure.tables.push_back(std::move(band));
   // Those that leave the panel of small differences have one of their own.
-  std::vector<Curve> others, far;
+  std::vector<FrontCurve> others, far;
   double limit = near_limit;
-  for (const Curve& curve : curves) {
+  for (const FrontCurve& curve : curves) {
     if (curve.run == &study.reference()) continue;
     others.push_back(curve);
     const double most = farthest(differences, curve);

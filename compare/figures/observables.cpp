@@ -60,9 +60,9 @@ std::string axis_label(const StudyObservable& asked, const ObservedQuantity& qua
   return plot_string(quantity.unit == "1" ? text : text + " [" + quantity.unit + "]");
 }
 
-class Drawing {
+class ObservableDrawing {
  public:
-  Drawing(const StudyResult& study, const ObservedQuantity& quantity)
+  ObservableDrawing(const StudyResult& study, const ObservedQuantity& quantity)
       : study_(study), quantity_(quantity) {
     figure_.name = file_name(quantity.key);
     figure_.title = quantity.title;
@@ -214,7 +214,7 @@ class Drawing {
 std::vector<Figure> observable_figures(const StudyResult& study) {
   std::vector<Figure> figures;
   for (const ObservedQuantity& quantity : observed_quantities(study))
-    figures.push_back(Drawing(study, quantity).made());
+    figures.push_back(ObservableDrawing(study, quantity).made());
   return figures;
 }
 

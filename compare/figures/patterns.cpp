@@ -9,7 +9,7 @@ namespace surge::compare {
 
 namespace {
 
-constexpr const char* title = "Flow patterns: overlap with the reference, detached water";
+constexpr const char* patterns_title = "Flow patterns: overlap with the reference, detached water";
 
 /// Rows of all runs; NaN where a run has no overlap at that time.
 Table pattern_table(const StudyResult& study) {
@@ -91,11 +91,12 @@ double largest(const Table& table, std::size_t column, double least) {
 Figure pattern_figure(const StudyResult& study) {
   Figure figure;
   figure.name = "patterns";
-  figure.title = title;
+  figure.title = patterns_title;
   figure.width_mm = double_column_mm;
   figure.height_mm = 128.0;
   if (study.measured().size() < 2)
-    return empty_figure(figure.name, title, "No run besides the reference could be measured.");
+    return empty_figure(figure.name, patterns_title,
+                        "No run besides the reference could be measured.");
   figure.tables.push_back(pattern_table(study));
   figure.caption =
       "Top: part that the regions of water of a run and of " + study.reference().label() +

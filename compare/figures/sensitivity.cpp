@@ -4,16 +4,13 @@
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/study/sensitivity.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
 using nlohmann::json;
 
 namespace {
-
-double value_or_gap(const json& value) {
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
 
 /// A row per run, the base on top; rows of one choice stand together, with a gap below each.
 Table table_of(const std::string& name, const json& method) {
@@ -26,9 +23,9 @@ Table table_of(const std::string& name, const json& method) {
   const auto add = [&](const json& run, const std::string& choice, const std::string& value) {
     if (choice != last) y -= 0.5;
     last = choice;
-    table.add({y, choice, value, value_or_gap(run["rms"]), value_or_gap(run["bias"]),
-               value_or_gap(run["max"]), value_or_gap(run["rms_vs_base"]),
-               value_or_gap(run["cost_ratio"]), value_or_gap(run["window_end_T"]),
+    table.add({y, choice, value, json_or_gap(run["rms"]), json_or_gap(run["bias"]),
+               json_or_gap(run["max"]), json_or_gap(run["rms_vs_base"]),
+               json_or_gap(run["cost_ratio"]), json_or_gap(run["window_end_T"]),
                run["run"].get<std::string>()});
     y -= 1.0;
   };

@@ -10,9 +10,9 @@ namespace surge::compare {
 namespace {
 
 /// The part of the water that a row of panels must show; single drops may fly out of the picture.
-constexpr double shown_part = 0.97;
+constexpr double shown_quantile = 0.97;
 
-struct Panel {
+struct SnapshotPanel {
   const RunResult* run = nullptr;
   Seconds time;  ///< of the frame
   WaterPicture water;
@@ -23,7 +23,7 @@ struct Panel {
 struct Row {
   Seconds time;
   double height = 0.0;  ///< of the panels, over L
-  std::vector<Panel> panels;
+  std::vector<SnapshotPanel> panels;
 };
 
 /// Layout in mm; the origin is the figure's upper left corner.
@@ -37,8 +37,8 @@ struct Layout {
   [[nodiscard]] double pixels() const { return 11.0 * scale(); }       ///< per L: 280 per inch
 };
 
-Panel make_panel(const RunResult& run, Seconds time) {
-  Panel panel;
+SnapshotPanel make_panel(const RunResult& run, Seconds time) {
+  SnapshotPanel panel;
   panel.run = &run;
   if (!run.measured) {
     panel.missing = status_text(run.status);
@@ -61,7 +61,7 @@ Row make_row(const StudyResult& study, Seconds time) {
   double highest = 0.0;
   for (const auto& run : study.runs) {
     row.panels.push_back(make_panel(run, time));
-    highest = std::max(highest, row.panels.back().water.height_of(shown_part));
+    highest = std::max(highest, row.panels.back().water.height_of(shown_quantile));
   }
   row.height = std::max(1.0, std::ceil(2.0 * (highest + 0.05)) / 2.0);
   return row;
@@ -77,7 +77,7 @@ std::string margins(double left, double right, double top, double bottom) {
          "\n";
 }
 
-std::string panel_label(const Panel& panel, const Row& row) {
+std::string panel_label(const SnapshotPanel& panel, const Row& row) {
   const double above = panel.water.part_above(row.height);
   if (above <= 0.0) return "";
   return "set label 2 \"" + fixed_text(100.0 * above, above < 0.001 ? 2 : 1) +
@@ -86,7 +86,7 @@ std::string panel_label(const Panel& panel, const Row& row) {
 }
 
 /// Plot command of one panel; the picture lies under the line of the free surface.
-std::string panel_plot(const Panel& panel, const std::string& image, double pixel) {
+std::string panel_plot(const SnapshotPanel& panel, const std::string& image, double pixel) {
   if (!panel.missing.empty()) {
     return "set label 3 " + plot_label(panel.missing) +
            " at graph 0.5,0.5 center textcolor rgb \"#606060\"\nplot 1/0 notitle\n";
@@ -106,7 +106,7 @@ std::string panel_plot(const Panel& panel, const std::string& image, double pixe
 }
 
 /// Obstacles, and the walls that move where they are then.
-std::string solid_objects(const Panel& panel) {
+std::string solid_objects(const SnapshotPanel& panel) {
   std::string text;
   const auto add = [&](const Rectangle& box, const char* colour) {
     text += "set object rectangle from " + plot_number(box.x0) + "," + plot_number(box.y0) +
@@ -157,7 +157,7 @@ double rounded(double value) {
   return std::round(1e5 * value) / 1e5;
 }
 
-void add_rows(const Panel& panel, Table& water, Table& surface) {
+void add_rows(const SnapshotPanel& panel, Table& water, Table& surface) {
   const std::string& name = panel.run->study.name;
   const double time = panel.time.value();
   for (const auto& p : panel.water.patches) {
@@ -213,7 +213,7 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout
   std::string script = "set xrange [0:" + plot_number(layout.x_span) +
                        "]\nset yrange [0:" + plot_number(row.height) + "]\n";
   for (std::size_t c = 0; c < row.panels.size(); ++c) {
-    const Panel& panel = row.panels[c];
+    const SnapshotPanel& panel = row.panels[c];
     const double left = layout.left + double(c) * (layout.panel_width + layout.column_gap);
     script += margins(left / double_column_mm, (left + layout.panel_width) / double_column_mm,
                       1.0 - top / layout.height, 1.0 - bottom / layout.height) +
@@ -237,7 +237,7 @@ void add_pictures(const std::vector<Row>& rows, const Layout& layout, Figure& fi
   figure.images.push_back({"fig7_colours", colour_bar_image()});
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (std::size_t c = 0; c < rows[r].panels.size(); ++c) {
-      const Panel& panel = rows[r].panels[c];
+      const SnapshotPanel& panel = rows[r].panels[c];
       if (!panel.missing.empty()) continue;
       Image image(0.0, layout.x_span, 0.0, rows[r].height, layout.pixels());
       panel.water.paint(image);

@@ -10,7 +10,7 @@ namespace surge::compare {
 namespace {
 
 constexpr double before_impact = 0.25;  ///< of T, shown before the impact
-constexpr double panel_mm = 34.0;
+constexpr double pressure_panel_mm = 34.0;
 
 /// What a sensor would have written around the impact, a row per sampling interval.
 void add_rows(Table& table, const WallPressureResult& result) {
@@ -28,7 +28,7 @@ void add_rows(Table& table, const WallPressureResult& result) {
   }
 }
 
-std::string rows_of(const RunResult& run) {
+std::string pressure_rows(const RunResult& run) {
   return "\"wall_pressure.csv\" using (strcol(1) eq " + plot_string(run.study.name) +
          " ? column(3) : NaN):4 with lines ";
 }
@@ -63,7 +63,7 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
   const double top = upper_end(table, study.reference().study.name);
   const Run& reference = study.reference_run().run;
   const double height = (*wall_probe(reference))[1] - reference.physics.floor();
-  figure.height_mm = 10.0 + panel_mm * static_cast<double>(panels.size());
+  figure.height_mm = 10.0 + pressure_panel_mm * static_cast<double>(panels.size());
   figure.caption =
       "Pressure on the far wall, " + fixed_text(1e3 * height, 1) +
       " mm above the floor, over the height of the column times rho g, after each run’s own "
@@ -82,10 +82,10 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
       "]\nset xtics 0.5\nset format x \"\"\nset label 2 " + plot_label(study.reference().label()) +
       " at graph 1,1.09 right\n";
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const double from_top = 5.0 + panel_mm * static_cast<double>(i);
+    const double from_top = 5.0 + pressure_panel_mm * static_cast<double>(i);
     const auto place = [&](double mm) { return fixed_text(1.0 - mm / figure.height_mm, 4); };
     figure.script += "set tmargin at screen " + place(from_top) + "\nset bmargin at screen " +
-                     place(from_top + panel_mm - 6.5) + "\nset label 1 " +
+                     place(from_top + pressure_panel_mm - 6.5) + "\nset label 1 " +
                      plot_label(panels[i]->label()) + " at graph 0,1.09 left textcolor rgb \"" +
                      readable(run_style(i).colour).hex() + "\"\n";
     if (i + 1 == panels.size())
@@ -94,9 +94,9 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
     figure.script += i == panels.size() / 2
                          ? "set ylabel \"{/:Italic p}/({/:Italic ρgH})\" offset 1.2\n"
                          : "unset ylabel\n";
-    figure.script += "plot " + rows_of(*panels[i]) +
+    figure.script += "plot " + pressure_rows(*panels[i]) +
                      line_spec({run_style(i).colour, "solid"}, 0.7) + ", \\\n     " +
-                     rows_of(study.reference()) + line_spec(reference_style(), 1.1) +
+                     pressure_rows(study.reference()) + line_spec(reference_style(), 1.1) +
                      "\nunset label 2\n";
   }
   figure.script += "unset multiplot\n";

@@ -23,10 +23,10 @@ constexpr double visible_fraction = 0.01;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// From metres and pascals to the units of the picture.
-struct View : PictureScale {
+struct WaterView : PictureScale {
   double pressure_scale, speed_scale;
 
-  explicit View(const Run& run) : PictureScale(run) {
+  explicit WaterView(const Run& run) : PictureScale(run) {
     const double height = run.physics.column.upper[up] - run.physics.column.lower[up];
     // A source that does not state its density is water.
     pressure_scale =
@@ -39,7 +39,7 @@ struct View : PictureScale {
 };
 
 WaterPicture particle_picture(const ParticleFrame& frame, const Run& run, bool whole) {
-  const View view(run);
+  const WaterView view(run);
   const double half = 0.5 * run.spacing.value();
   const bool has_velocity = frame.velocity.size() == frame.position.size();
   const bool has_pressure = frame.pressure.size() == frame.position.size();
@@ -98,7 +98,7 @@ WaterPicture mesh_picture(const MeshFrame& frame, const Run& run, bool whole) {
     throw Error(run.path.string() + ": no cell array p, expected one to colour the figure");
   }
   vtkDataArray* velocity = frame.grid->GetCellData()->GetArray("U");
-  const View view(run);
+  const WaterView view(run);
   WaterPicture picture;
   picture.mesh = true;
   std::vector<WaterPatch> boxes;

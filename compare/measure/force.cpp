@@ -59,8 +59,8 @@ class Force : public Observable {
   double thickness_ = 1.0;
 };
 
-std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
-                                 const ObservableContext& context) {
+std::unique_ptr<Observable> make_force(Parameters& parameters, const std::string& name,
+                                       const ObservableContext& context) {
   const auto surface = parameters.text("name");
   if (!surface) parameters.fail("name", "nothing", "that of the surface");
   if (context.planned) {
@@ -74,7 +74,7 @@ std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name
 
 ObservableKind force_kind() {
   return {"force", "force of the water on a surface, N; in 2D N/m; a column per axis",
-          "name of the surface ([[force]] of the case, function object of OpenFOAM)", make};
+          "name of the surface ([[force]] of the case, function object of OpenFOAM)", make_force};
 }
 
 }  // namespace surge::compare

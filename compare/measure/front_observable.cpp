@@ -133,8 +133,8 @@ FrontHistory measure_front(Run& run, const FrontOptions& options) {
 
 namespace {
 
-std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
-                                 const ObservableContext& context) {
+std::unique_ptr<Observable> make_front(Parameters& parameters, const std::string& name,
+                                       const ObservableContext& context) {
   FrontOptions options = context.front;
   if (const auto strip = parameters.number("strip", Bounds::above(0.0)))
     options.strip_height = Metres(*strip);
@@ -151,7 +151,7 @@ ObservableKind front_kind() {
   return {
       "front", "leading edge, from the wall that the column stands at, m",
       "strip (m above the floor), linking (spacings), bed-share (of the column above a wet bed)",
-      make};
+      make_front};
 }
 
 }  // namespace surge::compare

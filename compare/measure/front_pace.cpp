@@ -14,7 +14,7 @@ constexpr double slowest = 1.5, fastest = 0.45, fastest_slender = 0.15;
 constexpr double followed = 0.5;  ///< of L
 constexpr double enough = 0.2;    ///< of L
 
-std::string short_text(double value) {
+std::string pace_text(double value) {
   return number_text(std::round(value * 1e4) / 1e4);
 }
 
@@ -66,7 +66,7 @@ std::vector<std::string> pace_notices(const Run& run, const FrontHistory& histor
     // Even the slow box would have moved by two spacings.
     const double seen = std::min(enough, 2.0 * run.spacing.value() / width);
     if (end < unit * box_time(aspect, 1.0 + seen)) return {};
-    return {"the leading edge does not move within " + short_text(end) +
+    return {"the leading edge does not move within " + pace_text(end) +
             " s (walls or air among the water, water that flows the other way (--axes, "
             "--tank-width), or still water?)"};
   }
@@ -76,8 +76,8 @@ std::vector<std::string> pace_notices(const Run& run, const FrontHistory& histor
   const double box = unit * box_time(aspect, 1.0 + distance);
   const double least = aspect < 0.5 || aspect > 4.0 ? fastest_slender : fastest;
   if (took > least * box && took < slowest * box) return {};
-  return {"the leading edge takes " + short_text(took) + " s to move by " + short_text(distance) +
-          " L; " + short_text(least * box) + " to " + short_text(slowest * box) +
+  return {"the leading edge takes " + pace_text(took) + " s to move by " + pace_text(distance) +
+          " L; " + pace_text(least * box) + " to " + pace_text(slowest * box) +
           " s are usual for a column of that size and gravity (--time-step, times, units, "
           "--gravity? a viscous flow?)"};
 }

@@ -11,14 +11,14 @@ namespace {
 
 using nlohmann::json;
 
-std::string short_text(double value) {
+std::string six_digits(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.6g", value);
   return text.data();
 }
 
 std::string at_time(const std::optional<double>& value, Seconds time) {
-  return (value ? short_text(*value) : "none") + " at " + short_text(time.value()) + " s";
+  return (value ? six_digits(*value) : "none") + " at " + six_digits(time.value()) + " s";
 }
 
 void write_line(std::ostream& out, const TimeSeries& series) {
@@ -66,7 +66,7 @@ void write_table(std::ostream& out, const MeasuredSource& source) {
     for (const TimeSeries& series : found.series) write_line(out, series);
     for (const Profile& profile : found.profiles) {
       out << "  " << profile.name << " [" << profile.unit << "]: " << profile.values.size()
-          << " places at " << short_text(profile.time.value()) << " s\n";
+          << " places at " << six_digits(profile.time.value()) << " s\n";
     }
     if (found.failure) out << "  " << source.requests[k] << ": failed: " << *found.failure << '\n';
   }

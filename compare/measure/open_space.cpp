@@ -7,7 +7,7 @@
 namespace surge::compare {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double far_away = std::numeric_limits<double>::infinity();
 
 bool has_lid(const FrameView& view) {
   const auto& open = view.physics().open;
@@ -17,8 +17,8 @@ bool has_lid(const FrameView& view) {
 /// What is known of the tank; infinite where it is not.
 Extent known_tank(const FrameView& view) {
   Extent tank;
-  tank.lower.fill(-infinity);
-  tank.upper.fill(infinity);
+  tank.lower.fill(-far_away);
+  tank.upper.fill(far_away);
   if (view.physics().tank) {
     for (const std::size_t a : view.axes()) {
       const Extent& known = *view.physics().tank;
@@ -38,8 +38,8 @@ bool holds(const Extent& box, const Vec3& place, const std::vector<std::size_t>&
 
 Extent water_extent(const FrameView& view) {
   Extent water;
-  water.lower.fill(infinity);
-  water.upper.fill(-infinity);
+  water.lower.fill(far_away);
+  water.upper.fill(-far_away);
   for (std::size_t i = 0; i < view.size(); ++i) {
     const Extent box = view.box(i);
     for (const std::size_t a : view.axes()) {

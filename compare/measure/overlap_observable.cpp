@@ -32,8 +32,8 @@ class Overlap : public FrameObservable {
   FrameView other_;
 };
 
-std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
-                                 const ObservableContext& context) {
+std::unique_ptr<Observable> make_overlap(Parameters& parameters, const std::string& name,
+                                         const ObservableContext& context) {
   if (context.reference == nullptr)
     throw Error(name + ": found no run to compare with, expected --reference");
   const Run& reference = *context.reference;
@@ -50,7 +50,7 @@ std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name
 
 ObservableKind overlap_kind() {
   return {"overlap", "water in both runs over water in either one, 1",
-          "cell (m) [no finer than either run]; needs --reference", make};
+          "cell (m) [no finer than either run]; needs --reference", make_overlap};
 }
 
 }  // namespace surge::compare

@@ -178,8 +178,8 @@ std::unique_ptr<Observable> of_tables(const Run& run, const Request& request,
                   request.filter, request.name);
 }
 
-std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
-                                 const ObservableContext& context) {
+std::unique_ptr<Observable> make_pressure(Parameters& parameters, const std::string& name,
+                                          const ObservableContext& context) {
   const Run& run = context.run;
   const FrameView view(run.physics, run.spacing);
   Request request{name,
@@ -220,7 +220,7 @@ std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name
 ObservableKind pressure_kind() {
   return {"pressure", "pressure at a probe, Pa: as recorded, else from the frames",
           "name of the probe, or x, y (z) (m); diameter (m, from frames), average (s, filter)",
-          make};
+          make_pressure};
 }
 
 }  // namespace surge::compare

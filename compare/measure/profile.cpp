@@ -64,8 +64,8 @@ class ProfileObservable : public Observable {
   Findings found_;
 };
 
-std::unique_ptr<Observable> make(Parameters& parameters, const std::string& name,
-                                 const ObservableContext& context) {
+std::unique_ptr<Observable> make_profile(Parameters& parameters, const std::string& name,
+                                         const ObservableContext& context) {
   const Physics& physics = context.run.physics;
   const std::vector<double> times = parameters.numbers("times");
   if (times.empty())
@@ -94,7 +94,7 @@ ObservableKind profile_kind() {
       "profile", "height of the water over x at given times, m",
       "times (s, separated by ;), step (m) [spacing], from, to (m) [the tank]; in 3D z or y (m): "
       "without it over the whole width",
-      make};
+      make_profile};
 }
 
 }  // namespace surge::compare

@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Arguments {
+struct MovieInput {
   std::string source, out, field = "pressure", runs = "runs", series, programs;
   double speed = 0.0;
   int pictures = 25, width = 1280;
   SourceArguments files;
 };
 
-MovieOptions options_of(const Arguments& arguments) {
+MovieOptions options_of(const MovieInput& arguments) {
   MovieOptions options;
   options.out = arguments.out;
   options.speed_of_water = arguments.field == "speed";
@@ -37,7 +37,7 @@ void say(const std::vector<std::string>& notices) {
     std::fprintf(stderr, "surge-compare: %s\n", printable_lines(line).c_str());
 }
 
-std::size_t movie_of_study(const Arguments& arguments, MovieOptions options) {
+std::size_t movie_of_study(const MovieInput& arguments, MovieOptions options) {
   const Study study =
       read_checked_study(arguments.source, arguments.programs, {}, arguments.series);
   const StudyResult result = collect(study, arguments.runs, arguments.series);
@@ -50,7 +50,7 @@ std::size_t movie_of_study(const Arguments& arguments, MovieOptions options) {
   return write_movie(panels, options);
 }
 
-std::size_t movie_of_run(const Arguments& arguments, MovieOptions options) {
+std::size_t movie_of_run(const MovieInput& arguments, MovieOptions options) {
   const Run run = open_run(arguments.source, arguments.files.get(arguments.source));
   options.title = run.name;
   const std::size_t pictures = write_movie(std::vector<MoviePanel>{{&run, ""}}, options);
@@ -62,7 +62,7 @@ std::size_t movie_of_run(const Arguments& arguments, MovieOptions options) {
 }  // namespace
 
 void add_movie_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MovieInput>();
   CLI::App* command =
       app.add_subcommand("movie", "Writes a film of a run, or of a study's runs side by side");
   command->add_option("SOURCE", arguments->source, "run, files of another program, or study (TOML)")

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* axis_names = "xyz";
 
 /// A file of constant/, the region's own where there is one; empty where there is none.
@@ -245,7 +245,7 @@ void apply_foam_case(Run& run, const SourceOptions& options) {
   run.spacing = options.spacing ? *options.spacing : cell_length(*frame.grid, reader);
   physics.column = *physics.tank;
   const auto up = static_cast<std::size_t>(physics.vertical_axis());
-  physics.column.upper[up] = unknown;
+  physics.column.upper[up] = not_a_number;
   if (options.column_width) return;
   if (std::abs(reader.times().front().value()) > 1e-12)
     throw Error(run.path.string() + ": the first time is " +

@@ -12,7 +12,7 @@ namespace surge::compare {
 namespace {
 
 constexpr std::string_view punctuation = "{}()[];";
-constexpr std::uint64_t most_values = std::uint64_t{1} << 32U;
+constexpr std::uint64_t most_entries = std::uint64_t{1} << 32U;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
@@ -124,7 +124,7 @@ std::uint64_t FoamCursor::count() {
   const auto [end, failed] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (failed != std::errc{} || end != word.data() + word.size())
     fail(shown(word) + " found, a number of values expected");
-  if (value > most_values) fail(std::to_string(value) + " values found, fewer expected");
+  if (value > most_entries) fail(std::to_string(value) + " values found, fewer expected");
   return value;
 }
 

@@ -7,18 +7,13 @@
 #include "compare/read/foam_reader.hpp"
 #include "compare/read/readers.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string list_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 bool has_mesh(const fs::path& part, const std::string& region) {
   const fs::path faces = fs::path(region) / "polyMesh" / "faces";
@@ -45,7 +40,7 @@ std::optional<std::string> region_of(const fs::path& root, const fs::path& part)
   for (const std::string& region : regions)
     if (!foam_phases(part, region).empty()) wet.push_back(region);
   if (wet.size() == 1) return wet.front();
-  throw Error(root.string() + ": regions " + list_text(regions) + " found, " +
+  throw Error(root.string() + ": regions " + comma_list(regions) + " found, " +
               (wet.empty() ? std::string("none") : std::to_string(wet.size())) +
               " with a volume fraction; a case with one such region expected");
 }
@@ -55,7 +50,7 @@ std::string alpha_of(const fs::path& root, const std::vector<std::string>& found
                      const std::string& asked) {
   if (found.empty() || std::find(found.begin(), found.end(), asked) != found.end()) return asked;
   if (found.size() == 1 && asked == SourceOptions{}.alpha_array) return found.front();
-  throw Error(root.string() + ": no " + asked + ", found " + list_text(found) +
+  throw Error(root.string() + ": no " + asked + ", found " + comma_list(found) +
               "; expected the one of the water (--alpha-array)");
 }
 

@@ -19,7 +19,7 @@ constexpr std::size_t most_depth = 64;  ///< of braces
 constexpr int most_includes = 16;       ///< one inside the other
 constexpr int most_files = 64;
 
-bool is_blank(char c) {
+bool is_space(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
@@ -98,7 +98,7 @@ void FoamParser::skip_line() {
 
 void FoamParser::skip_blanks() {
   while (at_ < text_.size()) {
-    if (is_blank(peek())) {
+    if (is_space(peek())) {
       advance();
     } else if (peek() == '/' && peek(1) == '/') {
       skip_line();
@@ -145,7 +145,7 @@ std::string FoamParser::next() {
     advance();
     return token;
   }
-  while (at_ < text_.size() && !is_blank(peek()) && peek() != '"' &&
+  while (at_ < text_.size() && !is_space(peek()) && peek() != '"' &&
          punctuation.find(peek()) == std::string_view::npos) {
     token += peek();
     advance();

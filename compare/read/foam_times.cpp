@@ -12,6 +12,7 @@
 #include "compare/read/foam_file.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 
@@ -37,12 +38,6 @@ bool is_no_finite_time(const std::string& name) {
 [[noreturn]] void refuse_same(const fs::path& folder, const std::string& a, const std::string& b) {
   throw Error(folder.string() + ": " + a + " and " + b +
               " are the same time, one of them expected");
-}
-
-std::string list_text(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
 }
 
 /// Processor folders `processorK` by K.
@@ -111,7 +106,7 @@ FoamParts foam_processors(const fs::path& folder) {
   for (int k = 0; k <= last && missing.size() < 8; ++k)
     if (!found.contains(k)) missing.push_back("processor" + std::to_string(k));
   if (!missing.empty()) {
-    throw Error(folder.string() + ": " + list_text(missing) + " not there, a folder for each of " +
+    throw Error(folder.string() + ": " + comma_list(missing) + " not there, a folder for each of " +
                 std::to_string(last + 1) + " processors expected");
   }
   if (announced > last + 1) {

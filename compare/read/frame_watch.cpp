@@ -12,10 +12,6 @@
 namespace surge::compare {
 namespace {
 
-std::string seconds(Seconds time) {
-  return number_text(std::round(time.value() * 1e9) / 1e9) + " s";
-}
-
 std::size_t fingerprint(const std::vector<Vec3>& position) {
   std::size_t hash = position.size();
   for (const Vec3& x : position)
@@ -35,12 +31,16 @@ double beyond(const Vec3& x, const Extent& box) {
 
 }  // namespace
 
+std::string seconds_text(Seconds time) {
+  return number_text(std::round(time.value() * 1e9) / 1e9) + " s";
+}
+
 std::string Sightings::text(const std::vector<Seconds>& times) const {
   if (counts.empty()) return {};
   std::size_t most = 0;
   for (const auto& [frame, count] : counts) most = std::max(most, count);
   return "up to " + std::to_string(most) + " in " + std::to_string(counts.size()) +
-         " frames, first at " + seconds(times[counts.begin()->first]);
+         " frames, first at " + seconds_text(times[counts.begin()->first]);
 }
 
 /// A few lost particles are counted; a frame of which a tenth is not finite is no result.
@@ -103,15 +103,15 @@ std::vector<std::string> FrameWatch::notices(const std::vector<Seconds>& times) 
     const auto [index, difference] = *changed.counts.begin();
     lines.push_back(
         "the number of fluid particles changes: " + std::to_string(particles_.begin()->second) +
-        " at " + seconds(times[particles_.begin()->first]) + ", " +
-        std::to_string(particles_.at(index)) + " at " + seconds(times[index]) + "; by " +
+        " at " + seconds_text(times[particles_.begin()->first]) + ", " +
+        std::to_string(particles_.at(index)) + " at " + seconds_text(times[index]) + "; by " +
         changed.text(times));
   }
   for (auto here = fingerprints_.begin(); here != fingerprints_.end(); ++here) {
     const auto next = std::next(here);
     if (next != fingerprints_.end() && next->second == here->second)
-      lines.push_back("the frames at " + seconds(times[here->first]) + " and " +
-                      seconds(times[next->first]) + " hold the same particles");
+      lines.push_back("the frames at " + seconds_text(times[here->first]) + " and " +
+                      seconds_text(times[next->first]) + " hold the same particles");
   }
   return lines;
 }

@@ -10,6 +10,9 @@
 
 namespace surge::compare {
 
+/// A time as a message tells it, "0.25 s": nothing beyond a nanosecond.
+[[nodiscard]] std::string seconds_text(Seconds time);
+
 /// What was counted in the frames that were read so far.
 struct ParticleCounts {
   std::size_t first = 0;      ///< fluid particles of the first frame

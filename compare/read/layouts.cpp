@@ -4,20 +4,15 @@
 #include <cctype>
 
 #include "particle/support/error.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 bool speaks_of(const std::string& name, std::initializer_list<const char*> words) {
-  const std::string text = lower(name);
+  const std::string text = lower_case(name);
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return text.find(word) != std::string::npos; });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/read/frame_watch.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
@@ -13,10 +14,6 @@ namespace fs = std::filesystem;
 
 bool finite(const Vec3& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
-
-std::string seconds(Seconds time) {
-  return number_text(std::round(time.value() * 1e9) / 1e9) + " s";
 }
 
 /// The axes of the files without a word about them.
@@ -66,8 +63,8 @@ void ParticleSeries::find_times() {
                            options_.first_time.value_or(Seconds(0.0));
       if (stated && std::abs(*stated - time.value()) > 0.01 * options_.time_step->value())
         series_notices_.push_back(entry.files[0].filename().string() + " states the time " +
-                                  seconds(Seconds(*stated)) + ", --time-step makes it " +
-                                  seconds(time));
+                                  seconds_text(Seconds(*stated)) + ", --time-step makes it " +
+                                  seconds_text(time));
       times_.push_back(time);
     } else if (stated) {
       times_.emplace_back(*stated);

@@ -7,6 +7,7 @@
 
 #include "particle/support/error.hpp"
 #include "particle/support/regular_file.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
@@ -40,12 +41,6 @@ std::string head_of(const fs::path& file) {
   return {bytes.data(), static_cast<std::size_t>(in.gcount())};
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 }  // namespace
 
 void ParticleArray::add_word(const std::string& word) {
@@ -68,7 +63,7 @@ void require_regular(const fs::path& file) {
 }
 
 bool has_particle_name(const fs::path& file) {
-  const std::string extension = lower(file.extension().string());
+  const std::string extension = lower_case(file.extension().string());
   for (const char* known :
        {".vtp", ".vtu", ".vtk", ".pvtp", ".pvtu", ".csv", ".tsv", ".txt", ".dat", ".prof", ".h5",
         ".hdf5", ".hdf", ".h5part", ".lammpstrj", ".dump"})
@@ -79,7 +74,7 @@ bool has_particle_name(const fs::path& file) {
 
 Format format_of(const fs::path& file, const SourceOptions& options) {
   require_regular(file);
-  const std::string extension = lower(file.extension().string());
+  const std::string extension = lower_case(file.extension().string());
   for (const auto& [name, format] : {std::pair{"vtk", Format::vtk},
                                      {"csv", Format::csv},
                                      {"hdf5", Format::hdf5},
@@ -113,7 +108,7 @@ std::string unread_file_in(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files)
     for (const auto& [known, instead] : unread)
-      if (lower(file.extension().string()) == known)
+      if (lower_case(file.extension().string()) == known)
         return file.filename().string() + ": " + std::string(known) + " is not read, " +
                std::string(instead);
   return {};

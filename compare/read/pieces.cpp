@@ -14,7 +14,7 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-struct Entry {
+struct PieceEntry {
   Cell cell;
   std::size_t particle;
 };
@@ -30,12 +30,12 @@ Cell cell_of(const Vec3& position, double size) {
   return cell;
 }
 
-using Entries = std::span<const Entry>;
+using Entries = std::span<const PieceEntry>;
 
 /// The entries of the three cells (column x, column y, z-1..z+1), which lie next to each other in
 /// the sorted list.
-Entries cells_around(const std::vector<Entry>& entries, Cell column, std::int64_t z) {
-  const auto less = [](const Entry& e, const Cell& c) { return e.cell < c; };
+Entries cells_around(const std::vector<PieceEntry>& entries, Cell column, std::int64_t z) {
+  const auto less = [](const PieceEntry& e, const Cell& c) { return e.cell < c; };
   column[2] = z - 1;
   const auto first = std::lower_bound(entries.begin(), entries.end(), column, less);
   column[2] = z + 2;
@@ -46,9 +46,9 @@ Entries cells_around(const std::vector<Entry>& entries, Cell column, std::int64_
 
 void link(Entries cell, Entries around, const std::vector<Vec3>& position, double distance_squared,
           UnionFind& sets) {
-  for (const Entry& entry : cell) {
+  for (const PieceEntry& entry : cell) {
     const Vec3& x = position[entry.particle];
-    for (const Entry& other : around) {
+    for (const PieceEntry& other : around) {
       const Vec3& y = position[other.particle];
       const Vec3 d{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
       if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= distance_squared)
@@ -80,18 +80,18 @@ Pieces number_by_size(UnionFind& sets, std::size_t count) {
 }  // namespace
 
 Pieces connected_pieces(const std::vector<Vec3>& position, double linking_distance) {
-  std::vector<Entry> entries(position.size());
+  std::vector<PieceEntry> entries(position.size());
   for (std::size_t i = 0; i < position.size(); ++i)
     entries[i] = {cell_of(position[i], linking_distance), i};
   std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.cell < b.cell; });
+            [](const PieceEntry& a, const PieceEntry& b) { return a.cell < b.cell; });
   UnionFind sets(position.size());
   // Particles exactly a linking distance apart (a lattice) must not depend on rounding.
   const double distance_squared = std::pow(linking_distance * (1.0 + 1e-9), 2);
   for (auto begin = entries.begin(); begin != entries.end();) {
     const Cell cell = begin->cell;
     const auto end =
-        std::find_if(begin, entries.end(), [&](const Entry& e) { return e.cell != cell; });
+        std::find_if(begin, entries.end(), [&](const PieceEntry& e) { return e.cell != cell; });
     // Half of the neighbours is enough: the other half finds this one.
     for (const auto& [dx, dy] : {std::pair{0, 0}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}) {
       const Entries around = cells_around(entries, {cell[0] + dx, cell[1] + dy, 0}, cell[2]);

@@ -93,15 +93,15 @@ void set_vertical(SourceOptions& o, const Setting& s) {
 }
 
 using Setter = std::function<void(SourceOptions&, const Setting&)>;
-struct Entry {
+struct OptionEntry {
   SourceKey key;
   Setter set;
 };
 
-const std::vector<Entry>& entries() {
+const std::vector<OptionEntry>& option_entries() {
   using O = SourceOptions;
   using S = Setting;
-  static const std::vector<Entry> list{
+  static const std::vector<OptionEntry> list{
       {{"column_width", "L, width of the column at time 0, m"},
        [](O& o, const S& s) { o.column_width = Metres(s.positive()); }},
       {{"column_height", "height of the column at time 0, m"},
@@ -259,7 +259,7 @@ std::string FileAxes::text() const {
 const std::vector<SourceKey>& source_keys() {
   static const std::vector<SourceKey> keys = [] {
     std::vector<SourceKey> list;
-    for (const Entry& entry : entries()) list.push_back(entry.key);
+    for (const OptionEntry& entry : option_entries()) list.push_back(entry.key);
     return list;
   }();
   return keys;
@@ -267,7 +267,7 @@ const std::vector<SourceKey>& source_keys() {
 
 void set_source_option(SourceOptions& options, const std::string& key, Words words,
                        const std::string& place, const fs::path& folder) {
-  for (const Entry& entry : entries()) {
+  for (const OptionEntry& entry : option_entries()) {
     if (entry.key.name != key) continue;
     if ((key == "axes" && options.vertical_stated) || (key == "vertical" && options.axes))
       throw Error(place + ": axes and vertical are both given, expected one of them");

@@ -8,7 +8,7 @@
 namespace surge::compare {
 namespace {
 
-constexpr double tolerance = 0.02;  ///< of L
+constexpr double case_tolerance = 0.02;  ///< of L
 
 /// A case as seen from the wall that its column stands at, in units of L: x along the surge, then
 /// up from the floor, then across from the tank's lower side.
@@ -44,7 +44,7 @@ class Seen {
   [[nodiscard]] bool spans_width(const Extent& box) const {
     if (physics_.dimension == 2 || !physics_.tank) return true;
     const std::size_t across = 3 - up_;
-    const double slack = tolerance * length_;
+    const double slack = case_tolerance * length_;
     return box.lower[across] <= physics_.tank->lower[across] + slack &&
            box.upper[across] >= physics_.tank->upper[across] - slack;
   }
@@ -71,13 +71,13 @@ std::string in_lengths(double value) {
 }
 
 std::optional<std::string> unlike(const std::string& what, double series, double run) {
-  if (std::abs(series - run) <= tolerance) return std::nullopt;
+  if (std::abs(series - run) <= case_tolerance) return std::nullopt;
   return unlike(what, in_lengths(series), in_lengths(run));
 }
 
 bool near(const Vec3& a, const Vec3& b, std::size_t axes) {
   for (std::size_t k = 0; k < axes; ++k)
-    if (!(std::abs(a[k] - b[k]) <= tolerance)) return false;
+    if (!(std::abs(a[k] - b[k]) <= case_tolerance)) return false;
   return true;
 }
 
@@ -155,7 +155,7 @@ std::optional<std::string> other_case(const ReferenceSeries& series, const Physi
   const Physics& of = series.of;
   const double theirs = of.column_width().value(), ours = run.column_width().value();
   const bool moves = series.of.motion && !series.of.motion->is_null();
-  if ((series.of_one_size() || moves) && std::abs(ours / theirs - 1.0) > tolerance)
+  if ((series.of_one_size() || moves) && std::abs(ours / theirs - 1.0) > case_tolerance)
     return unlike("width of the column", fixed_text(theirs, 4) + " m", fixed_text(ours, 4) + " m");
   if (of.dimension != run.dimension && !(Seen(of).is_plane() && Seen(run).is_plane()))
     return unlike("dimension", std::to_string(of.dimension) + "D",
@@ -184,7 +184,7 @@ std::optional<std::string> other_place(const ReferenceSeries& series, const Phys
   for (std::size_t a = 0; a < 3; ++a)
     if (series.at[a]) at[a] = evaluate_in(*series.at[a], "m", symbols, series.place + ": place");
   const Vec3 theirs = Seen(series.of).point(at), ours = Seen(run).point(*place);
-  const double allowed = std::max(tolerance, slack / run.column_width().value());
+  const double allowed = std::max(case_tolerance, slack / run.column_width().value());
   constexpr std::array<std::size_t, 3> seen{0, 1, 2};
   const auto up = static_cast<std::size_t>(series.of.vertical_axis());
   const std::array<std::size_t, 3> axis{0, up, 3 - up};

@@ -95,7 +95,7 @@ Kind kind_of(const RunResult& run) {
 
 /// The complete runs besides the reference: of each kind the finest. Runs of the reference's own
 /// kind are its coarser levels; they count where nothing else is compared.
-std::vector<const RunResult*> candidates(const StudyResult& study) {
+std::vector<const RunResult*> finest_of_each_kind(const StudyResult& study) {
   std::vector<const RunResult*> own, others;
   std::map<Kind, std::size_t> seen;
   for (const RunResult* run : study.measured()) {
@@ -113,15 +113,15 @@ std::vector<const RunResult*> candidates(const StudyResult& study) {
   return others.empty() ? own : others;
 }
 
-class Answer {
+class AnswerSection {
  public:
-  Answer(const StudyResult& study, const json& metrics) : study_(study), metrics_(metrics) {}
+  AnswerSection(const StudyResult& study, const json& metrics) : study_(study), metrics_(metrics) {}
 
   json made() {
     const auto quantity = ranking_quantity(study_, metrics_);
     json out{{"quantity", nullptr}, {"rows", json::array()}, {"nearest", nullptr},
              {"next", nullptr},     {"order", nullptr},      {"moment", nullptr}};
-    std::vector<const RunResult*> runs = candidates(study_);
+    std::vector<const RunResult*> runs = finest_of_each_kind(study_);
     const std::vector<const RunResult*> measured = study_.measured();
     const auto complete =
         std::count_if(measured.begin(), measured.end(), [&](const RunResult* run) {
@@ -259,7 +259,7 @@ class Answer {
 }  // namespace
 
 void measure_answer(const StudyResult& study, json& metrics) {
-  metrics["answer"] = Answer(study, metrics).made();
+  metrics["answer"] = AnswerSection(study, metrics).made();
 }
 
 }  // namespace surge::compare

@@ -2,6 +2,7 @@
 
 #include "compare/report/sections.hpp"
 #include "compare/study/observable_verdicts.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
@@ -9,13 +10,13 @@ using nlohmann::json;
 
 namespace {
 
-json or_null(const std::optional<double>& value) {
-  return value ? json(*value) : json();
-}
-
 json verdict_json(const Comparison& one) {
-  json out{{"unit", one.unit}, {"run", or_null(one.run)}, {"reference", or_null(one.reference)},
-           {"why", one.why},   {"verdict", nullptr},      {"E", nullptr}};
+  json out{{"unit", one.unit},
+           {"run", json_or_null(one.run)},
+           {"reference", json_or_null(one.reference)},
+           {"why", one.why},
+           {"verdict", nullptr},
+           {"E", nullptr}};
   if (one.maximum) out["max"] = *one.maximum;
   if (one.bias) out["bias"] = *one.bias;
   if (one.points) out["points"] = *one.points;
@@ -24,12 +25,12 @@ json verdict_json(const Comparison& one) {
   const Verdict& verdict = *one.verdict;
   out["E"] = verdict.difference;
   out["tolerance"] = verdict.tolerance;
-  out["U"] = or_null(verdict.interval());
-  out["u_val"] = or_null(verdict.parts.combined());
-  out["u_run"] = or_null(verdict.parts.run);
-  out["u_reference"] = or_null(verdict.parts.reference);
-  out["u_data"] = or_null(verdict.parts.data);
-  out["u_frames"] = or_null(verdict.parts.frames);
+  out["U"] = json_or_null(verdict.interval());
+  out["u_val"] = json_or_null(verdict.parts.combined());
+  out["u_run"] = json_or_null(verdict.parts.run);
+  out["u_reference"] = json_or_null(verdict.parts.reference);
+  out["u_data"] = json_or_null(verdict.parts.data);
+  out["u_frames"] = json_or_null(verdict.parts.frames);
   out["verdict"] = outcome_text(verdict.outcome);
   out["why"] = verdict.why;
   return out;
@@ -77,7 +78,7 @@ json quantity_json(const StudyResult& study, const ObservedQuantity& quantity) {
            {"title", quantity.title},
            {"unit", quantity.unit},
            {"over", quantity.is_profile() ? "x" : "t"},
-           {"asked_s", or_null(quantity.asked)},
+           {"asked_s", json_or_null(quantity.asked)},
            {"runs", json::object()}};
   for (const RunResult* run : study.measured())
     out["runs"][run->study.name] = run_json(study, quantity, *run);

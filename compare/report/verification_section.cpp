@@ -2,16 +2,13 @@
 
 #include "compare/report/sections.hpp"
 #include "compare/study/levels.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
 using nlohmann::json;
 
 namespace {
-
-json or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? json(*value) : json();
-}
 
 json levels_json(const FlowLevels& sequence) {
   json levels = json::array();
@@ -23,14 +20,14 @@ json levels_json(const FlowLevels& sequence) {
                {"particles_over_L", result.flow.per_length()},
                {"error", result.error},
                {"order", nullptr},
-               {"momentum", or_null(result.momentum)},
-               {"energy", or_null(result.energy)},
-               {"volume", or_null(result.volume)}};
+               {"momentum", json_or_null(result.momentum)},
+               {"energy", json_or_null(result.energy)},
+               {"volume", json_or_null(result.volume)}};
     if (coarser != nullptr)
-      entry["order"] = or_null(
+      entry["order"] = json_or_null(
           observed_order(coarser->flow.spacing, coarser->error, result.flow.spacing, result.error));
     for (const FlowMeasure& measure : result.measures)
-      entry["measures"][measure.name] = or_null(measure.value);
+      entry["measures"][measure.name] = json_or_null(measure.value);
     coarser = &result;
     levels.push_back(std::move(entry));
   }
@@ -58,7 +55,7 @@ void measure_verification(const StudyResult& study, json& metrics) {
     json& entry = out[known.group];
     entry = {{"title", known.title},
              {"error", known.error},
-             {"bar", or_null(known.bar)},
+             {"bar", json_or_null(known.bar)},
              {"bar_per_length", known.bar_per_length},
              {"sequences", json::array()}};
     for (const FlowLevels& sequence : sequences) {

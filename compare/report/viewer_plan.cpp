@@ -47,7 +47,7 @@ double bytes_per_time(const RunResult& result) {
 }
 
 /// The reference and the first of each other method and preset.
-std::vector<const RunResult*> candidates(const StudyResult& study) {
+std::vector<const RunResult*> first_of_each_method(const StudyResult& study) {
   const auto kind = [](const RunResult& run) {
     return std::pair(run.measured->run.method, run.measured->run.preset);
   };
@@ -115,7 +115,7 @@ const Run& viewer_solid_run(const StudyResult& study, const ViewerPlan& plan) {
 
 ViewerPlan plan_viewer(const StudyResult& study, double budget) {
   ViewerPlan plan;
-  plan.runs = candidates(study);
+  plan.runs = first_of_each_method(study);
   std::vector<double> bytes;
   for (const RunResult* run : plan.runs) bytes.push_back(bytes_per_time(*run));
   const auto affordable = [&] {

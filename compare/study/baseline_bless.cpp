@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_points = 500;
 constexpr double usual_share = 0.02;            ///< of L for the front, else of the largest value
 constexpr DimensionlessTime impact_time{0.02};  ///< of the impact, where the front states none
-constexpr double rounding = 1e-9;
+constexpr double place_rounding = 1e-9;
 
 /// Six digits are finer than any tolerance of use, and keep the file readable.
 double rounded(double value) {
@@ -53,7 +53,7 @@ void set_window(ObservedRun& source, const BlessOptions& options, Baseline& base
   baseline.from = rounded(times.front().value());
   const double last = times.back().value();
   if (options.until) {
-    if (options.until->value() > last + rounding || options.until->value() <= baseline.from)
+    if (options.until->value() > last + place_rounding || options.until->value() <= baseline.from)
       throw Error("--until: found " + number_text(options.until->value()) +
                   ", expected a time above " + number_text(baseline.from) + " and up to " +
                   number_text(last) + " s");
@@ -164,14 +164,14 @@ class Maker {
     Points points;
     for (std::size_t i = 0; i < series.times.size(); ++i) {
       const double time = series.times[i].value();
-      if (time >= baseline_.from - rounding && time <= baseline_.until + rounding)
+      if (time >= baseline_.from - place_rounding && time <= baseline_.until + place_rounding)
         points.add(time, series.values[i]);
     }
     store({observable, series.name, series.unit, std::nullopt, {}, {}, 0.0, {}}, points);
   }
 
   void add_profile(const std::string& observable, const Profile& profile) {
-    if (profile.time.value() > baseline_.until + rounding)
+    if (profile.time.value() > baseline_.until + place_rounding)
       throw Error(observable + ": found a profile at " + number_text(profile.time.value()) +
                   " s, expected times up to the end of the window, " +
                   number_text(baseline_.until) + " s (--until)");

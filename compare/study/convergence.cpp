@@ -11,7 +11,7 @@ namespace surge::compare {
 namespace {
 
 /// Changes below this part of the values are rounding.
-constexpr double rounding = 1e-12;
+constexpr double order_rounding = 1e-12;
 /// Where the search for an order ends; no scheme is near it.
 constexpr double highest_order = 50.0;
 
@@ -152,7 +152,7 @@ GridConvergence grid_convergence(const std::array<Level, 3>& levels,
   const double eps21 = middle.value - fine.value;
   const double eps32 = coarse.value - middle.value;
   const auto [least, most] = std::minmax({fine.value, middle.value, coarse.value});
-  const double small = rounding * std::max(std::abs(least), std::abs(most));
+  const double small = order_rounding * std::max(std::abs(least), std::abs(most));
   const double most_uncertain = 3.0 * (most - least);
   result.uncertainty = most_uncertain;
   if (std::abs(eps21) <= small || std::abs(eps32) <= small) {

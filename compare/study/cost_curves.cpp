@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* phases[] = {"neighbours", "pressure", "forces"};
 
-double number(const json& from, const char* name) {
+double number_of(const json& from, const char* name) {
   return from.value(name, 0.0);
 }
 
@@ -31,14 +31,15 @@ struct Sample {
 
   void add(const json& manifest) {
     const json& wall = manifest["wall_s"];
-    const double solve = number(wall, "total") - number(wall, "setup") - number(wall, "output");
-    steps = number(manifest, "steps");
-    simulated = number(manifest, "simulated_s");
+    const double solve =
+        number_of(wall, "total") - number_of(wall, "setup") - number_of(wall, "output");
+    steps = number_of(manifest, "steps");
+    simulated = number_of(manifest, "simulated_s");
     if (solve <= 0.0 || steps <= 0.0) return;
     solve_s.push_back(solve);
-    setup_s.push_back(number(wall, "setup"));
-    output_s.push_back(number(wall, "output"));
-    for (const char* phase : phases) share[phase].push_back(number(wall, phase) / solve);
+    setup_s.push_back(number_of(wall, "setup"));
+    output_s.push_back(number_of(wall, "output"));
+    for (const char* phase : phases) share[phase].push_back(number_of(wall, phase) / solve);
   }
 };
 
@@ -48,7 +49,7 @@ struct Size {
   Sample window, whole;
 };
 
-struct Curve {
+struct CostCurve {
   std::string method, preset, search, solver;
   std::string cpu;
   int threads = 0;
@@ -102,24 +103,24 @@ struct Steps {
   }
 };
 
-void add_run(const json& manifest, double whole_time, std::map<std::string, Curve>& curves,
+void add_run(const json& manifest, double whole_time, std::map<std::string, CostCurve>& curves,
              std::map<std::string, Steps>& steps) {
   const json& c = manifest["case"];
-  Curve of;
+  CostCurve of;
   of.method = c["method"].value("name", "");
   of.preset = c["method"].value("preset", "");
   of.search = c.contains("search") ? c["search"].value("neighbours", "") : "";
   of.solver = c["method"].value(json::json_pointer("/parameters/ppe_solver"), "");
   of.cpu = manifest.value("cpu", "");
   of.threads = manifest.value("threads", 0);
-  Curve& curve = curves.try_emplace(of.key() + '\n' + of.machine(), of).first->second;
-  Size& size = curve.sizes[number(manifest, "fluid_particles")];
-  size.spacing = number(c, "spacing");
-  size.fluid = number(manifest, "fluid_particles");
-  size.all = size.fluid + number(manifest, "wall_particles");
-  const bool whole = number(manifest, "simulated_s") >= 0.999 * whole_time;
+  CostCurve& curve = curves.try_emplace(of.key() + '\n' + of.machine(), of).first->second;
+  Size& size = curve.sizes[number_of(manifest, "fluid_particles")];
+  size.spacing = number_of(c, "spacing");
+  size.fluid = number_of(manifest, "fluid_particles");
+  size.all = size.fluid + number_of(manifest, "wall_particles");
+  const bool whole = number_of(manifest, "simulated_s") >= 0.999 * whole_time;
   (whole ? size.whole : size.window).add(manifest);
-  if (whole) steps[of.method + of.preset].by_spacing[size.spacing] = number(manifest, "steps");
+  if (whole) steps[of.method + of.preset].by_spacing[size.spacing] = number_of(manifest, "steps");
 }
 
 json sample_json(const Sample& sample) {
@@ -162,7 +163,7 @@ json fit_json(const std::vector<std::pair<double, double>>& points) {
   return {{"exponent", fit->exponent}, {"half_width", fit->half_width}, {"points", fit->points}};
 }
 
-json curve_json(const Curve& curve, const Steps& steps) {
+json curve_json(const CostCurve& curve, const Steps& steps) {
   const Size* both = curve.largest_with_both();
   const json ratio = both ? ratio_json(*both) : json();
   json points = json::array();
@@ -208,7 +209,7 @@ json curve_json(const Curve& curve, const Steps& steps) {
 }  // namespace
 
 void measure_scaling(const StudyResult& study, json& metrics) {
-  std::map<std::string, Curve> curves;
+  std::map<std::string, CostCurve> curves;
   std::map<std::string, Steps> steps;
   const double whole_time = study.reference().last_time()->value();
   for (const RunResult* run : study.runs_of(Role::timing)) {

@@ -8,6 +8,7 @@
 #include "compare/study/observable_verdicts.hpp"
 #include "compare/study/sequences.hpp"
 #include "compare/study/verdict.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
@@ -142,10 +143,6 @@ std::unique_ptr<ErrorRule> rule_of(const StudyResult& study) {
   return nullptr;
 }
 
-json or_null(const std::optional<double>& value) {
-  return value ? json(*value) : json();
-}
-
 /// The runs of the comparison and their levels over the spacing; those that vary the step alone say
 /// nothing of what a resolution costs.
 std::vector<const RunResult*> runs_with_levels(const StudyResult& study) {
@@ -181,7 +178,7 @@ json points_of(const StudyResult& study, const ErrorRule& rule) {
                       {"cpu_s_per_s", *cpu / *simulated},
                       {"wall_s_per_s", total ? json(*total / *simulated) : json()},
                       {"E", error->error},
-                      {"U", or_null(error->uncertainty)},
+                      {"U", json_or_null(error->uncertainty)},
                       {"speedup", nullptr}});
   }
   std::stable_sort(points.begin(), points.end(), [](const json& a, const json& b) {
@@ -272,7 +269,7 @@ void measure_cost_to_error(const StudyResult& study, json& metrics) {
   if (points.empty()) return;
   find_speedups(points);
   out = {{"against", rule->against}, {"quantity", rule->quantity},
-         {"unit", rule->unit},       {"against_u", or_null(rule->own_uncertainty)},
+         {"unit", rule->unit},       {"against_u", json_or_null(rule->own_uncertainty)},
          {"cpu", usual_cpu(points)}, {"methods", methods_of(study, points)},
          {"levels", json::array()}};
   for (const double part : accuracies)

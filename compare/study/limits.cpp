@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_limit = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with the place where it is.
 struct Measured {
@@ -50,7 +50,7 @@ std::optional<double> limit_of(const std::map<std::string, double>& limits,
 
 Finding judge(const std::string& quantity, const Measured& measured, double limit) {
   Finding finding{quantity, Status::failed, measured.at, "missing", "at most " + number_text(limit),
-                  "1",      nothing,        limit,       ""};
+                  "1",      no_limit,       limit,       ""};
   if (!measured.value) return finding;
   finding.found = number_text(*measured.value);
   finding.deviation = *measured.value;

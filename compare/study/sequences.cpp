@@ -6,6 +6,7 @@
 #include "compare/study/convergence.hpp"
 #include "compare/study/quantities.hpp"
 #include "compare/study/verdict.hpp"
+#include "particle/support/json.hpp"
 #include "particle/support/table.hpp"
 
 namespace surge::compare {
@@ -90,15 +91,11 @@ std::vector<Followed> followed(const StudyResult& study, const Sequence& sequenc
   return all;
 }
 
-json or_null(const std::optional<double>& value) {
-  return value ? json(*value) : json();
-}
-
 json quantity_json(const Followed& quantity, const Sequence& sequence) {
   json out{{"title", quantity.title}, {"result", nullptr}, {"values", json::array()}};
   std::vector<Level> levels;
   for (std::size_t i = 0; i < quantity.values.size(); ++i) {
-    out["values"].push_back(or_null(quantity.values[i]));
+    out["values"].push_back(json_or_null(quantity.values[i]));
     if (quantity.values[i] && sequence.levels[i].size > 0.0)
       levels.push_back({sequence.levels[i].size, *quantity.values[i]});
   }
@@ -114,11 +111,11 @@ json quantity_json(const Followed& quantity, const Sequence& sequence) {
   result = {{"approach", approach_text(found.approach)},
             {"r21", found.r21},
             {"r32", found.r32},
-            {"order", or_null(found.order)},
-            {"extrapolated", or_null(found.extrapolated)},
-            {"gci21", or_null(found.gci21)},
-            {"gci32", or_null(found.gci32)},
-            {"index_ratio", or_null(found.index_ratio)},
+            {"order", json_or_null(found.order)},
+            {"extrapolated", json_or_null(found.extrapolated)},
+            {"gci21", json_or_null(found.gci21)},
+            {"gci32", json_or_null(found.gci32)},
+            {"index_ratio", json_or_null(found.index_ratio)},
             {"uncertainty", found.uncertainty},
             {"asymptotic", found.asymptotic()},
             {"doubts", ""},

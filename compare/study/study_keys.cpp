@@ -5,7 +5,7 @@
 namespace surge::compare {
 namespace {
 
-constexpr std::array keys{
+constexpr std::array known_keys{
     StudyKey{"", "title", "text", "heading of the report"},
     StudyKey{"", "include", "list of studies; none",
              "whose runs, and what is not said here, count"},
@@ -64,7 +64,7 @@ constexpr std::array keys{
 }  // namespace
 
 std::span<const StudyKey> study_keys() {
-  return keys;
+  return known_keys;
 }
 
 }  // namespace surge::compare

@@ -8,6 +8,7 @@
 #include "compare/study/quantities.hpp"
 #include "compare/study/sequences.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
@@ -157,10 +158,6 @@ std::optional<Verdict> experiment_verdict(const StudyResult& study, const RunRes
   return judged(study, run, verdict);
 }
 
-json or_null(const std::optional<double>& value) {
-  return value ? json(*value) : json();
-}
-
 }  // namespace
 
 std::string outcome_text(Outcome outcome) {
@@ -286,12 +283,12 @@ void measure_verdicts(const StudyResult& study, json& metrics) {
   for (const Verdict& verdict : find_verdicts(study)) {
     out["runs"][verdict.run][verdict.quantity][verdict.against] = {
         {"E", verdict.difference},
-        {"U", or_null(verdict.interval())},
-        {"u_val", or_null(verdict.parts.combined())},
-        {"u_run", or_null(verdict.parts.run)},
-        {"u_reference", or_null(verdict.parts.reference)},
-        {"u_data", or_null(verdict.parts.data)},
-        {"u_frames", or_null(verdict.parts.frames)},
+        {"U", json_or_null(verdict.interval())},
+        {"u_val", json_or_null(verdict.parts.combined())},
+        {"u_run", json_or_null(verdict.parts.run)},
+        {"u_reference", json_or_null(verdict.parts.reference)},
+        {"u_data", json_or_null(verdict.parts.data)},
+        {"u_frames", json_or_null(verdict.parts.frames)},
         {"tolerance", verdict.tolerance},
         {"verdict", outcome_text(verdict.outcome)},
         {"why", verdict.why}};

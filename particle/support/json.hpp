@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,5 +18,15 @@ namespace surge {
 
 /// A value as an error shows it: no more than fits into a line.
 [[nodiscard]] std::string json_shown(const nlohmann::json& value);
+
+/// The number, or null where there is none or it is not finite.
+[[nodiscard]] inline nlohmann::json json_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::json(*value) : nlohmann::json();
+}
+
+/// The number, or NaN, a gap in a figure, where there is none.
+[[nodiscard]] inline double json_or_gap(const nlohmann::json& value) {
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
 
 }  // namespace surge

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "particle/io/computation.hpp"
+#include "tests/verification/preset.hpp"
 
 // A column at the left wall of a tank and one at the right are the same flow in a mirror: nothing
 // in a solver may know left from right: what the pressure solver leaves of the residual is in the
@@ -17,12 +18,7 @@
 namespace surge {
 namespace {
 
-struct Preset {
-  const char* method;
-  const char* name;
-};
-
-class Mirror : public testing::TestWithParam<std::tuple<Preset, int>> {
+class Mirror : public testing::TestWithParam<std::tuple<MethodPreset, int>> {
  protected:
   static constexpr double l0 = 0.0145;
   /// Of the tank, m.
@@ -107,13 +103,13 @@ TEST_P(Mirror, LeftAndRightAreAlike) {
     compare<3>(0.04, 9.8 * l0);
 }
 
-constexpr Preset presets[] = {
+constexpr MethodPreset mirrored[] = {
     {"mps", "paper"}, {"mps", "improved"}, {"sph", "delta-plus"}, {"isph", "shifted"}};
 
 INSTANTIATE_TEST_SUITE_P(Presets, Mirror,
-                         testing::Combine(testing::ValuesIn(presets), testing::Values(2, 3)),
+                         testing::Combine(testing::ValuesIn(mirrored), testing::Values(2, 3)),
                          [](const auto& run) {
-                           const Preset& preset = std::get<0>(run.param);
+                           const MethodPreset& preset = std::get<0>(run.param);
                            std::string name = std::string(preset.method) + "_" + preset.name;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name + "_" + std::to_string(std::get<1>(run.param)) + "D";

@@ -8,15 +8,11 @@
 #include <tuple>
 
 #include "particle/io/computation.hpp"
+#include "tests/verification/preset.hpp"
 
 // Tanks and walls that move, against exact answers: every preset, in two and three dimensions.
 namespace surge {
 namespace {
-
-struct Preset {
-  const char* method;
-  const char* name;
-};
 
 std::string dimensional(int dimension, double x, double y, double z) {
   std::ostringstream text;
@@ -27,7 +23,7 @@ std::string dimensional(int dimension, double x, double y, double z) {
 }
 
 /// What a case is put together from.
-class MovingFlow : public testing::TestWithParam<std::tuple<Preset, int>> {
+class MovingFlow : public testing::TestWithParam<std::tuple<MethodPreset, int>> {
  protected:
   [[nodiscard]] int dimension() const { return std::get<1>(GetParam()); }
   [[nodiscard]] std::string point(double x, double y, double z = 0.0) const {
@@ -48,7 +44,7 @@ class MovingFlow : public testing::TestWithParam<std::tuple<Preset, int>> {
   }
   /// m
   [[nodiscard]] double spacing() const { return dimension() == 2 ? 0.01 : 0.02; }
-  [[nodiscard]] static Preset preset() { return std::get<0>(GetParam()); }
+  [[nodiscard]] static MethodPreset preset() { return std::get<0>(GetParam()); }
   /// Depth of a three-dimensional case, periodic, so that it is the plane flow.
   double width = 0.16;
   [[nodiscard]] std::string tank(double x, double y, const std::string& more) const {
@@ -239,14 +235,14 @@ TEST_P(MovingFlow, GateHoldsUntilItIsLifted) {
   EXPECT_GT(end.rightmost, 0.22);
 }
 
-constexpr Preset presets[] = {{"mps", "paper"},
-                              {"mps", "improved"},
-                              {"sph", "paper"},
-                              {"sph", "delta-plus"},
-                              {"isph", "shifted"}};
+constexpr MethodPreset presets[] = {{"mps", "paper"},
+                                    {"mps", "improved"},
+                                    {"sph", "paper"},
+                                    {"sph", "delta-plus"},
+                                    {"isph", "shifted"}};
 
-std::string name_of_run(const testing::TestParamInfo<std::tuple<Preset, int>>& run) {
-  const Preset& preset = std::get<0>(run.param);
+std::string name_of_run(const testing::TestParamInfo<std::tuple<MethodPreset, int>>& run) {
+  const MethodPreset& preset = std::get<0>(run.param);
   std::string name = std::string(preset.method) + "_" + preset.name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name + "_" + std::to_string(std::get<1>(run.param)) + "D";

@@ -7,17 +7,13 @@
 
 #include "compare/verification/exact.hpp"
 #include "tests/case/solver_fixture.hpp"
+#include "tests/verification/preset.hpp"
 
 // Every recommended preset in three dimensions against exact answers.
 namespace surge {
 namespace {
 
-struct Preset {
-  const char* method;
-  const char* name;
-};
-
-class ThreeDimensions : public testing::TestWithParam<Preset> {
+class ThreeDimensions : public testing::TestWithParam<MethodPreset> {
  protected:
   /// The particles at the end of a case, given without its method. `each(particles, report)` is
   /// called after every step.
@@ -98,13 +94,15 @@ TEST_P(StillWaterIn3D, KeepsItsPressure) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, ThreeDimensions,
-                         testing::Values(Preset{"mps", "improved"}, Preset{"sph", "delta-plus"},
-                                         Preset{"isph", "shifted"}),
+                         testing::Values(MethodPreset{"mps", "improved"},
+                                         MethodPreset{"sph", "delta-plus"},
+                                         MethodPreset{"isph", "shifted"}),
                          [](const auto& preset) { return std::string(preset.param.method); });
 
 INSTANTIATE_TEST_SUITE_P(Presets, StillWaterIn3D,
-                         testing::Values(Preset{"mps", "improved"}, Preset{"sph", "delta-plus"},
-                                         Preset{"isph", "shifted"}),
+                         testing::Values(MethodPreset{"mps", "improved"},
+                                         MethodPreset{"sph", "delta-plus"},
+                                         MethodPreset{"isph", "shifted"}),
                          [](const auto& preset) { return std::string(preset.param.method); });
 
 }  // namespace

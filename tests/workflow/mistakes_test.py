@@ -186,21 +186,21 @@ class Packages(Project):
         done = self.ensure("ask", installed=["cmake"])
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("packages missing: g++ openfoam\n", done.stdout)
-        self.assertIn("apt-get install --yes --no-install-recommends g++ openfoam\n", done.stdout)
+        self.assertIn("apt-get install --yes --no-install-recommends --no-remove g++ openfoam\n", done.stdout)
         self.assertEqual(self.installed(), [])
 
     def test_root_installs_just_what_is_missing(self):
         done = self.ensure("install", installed=["cmake"])
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.installed(), [
-            "apt-get update --quiet", "apt-get install --yes --no-install-recommends g++ openfoam"])
+            "apt-get update --quiet", "apt-get install --yes --no-install-recommends --no-remove g++ openfoam"])
 
     def test_others_use_sudo(self):
         done = self.ensure("install", installed=["cmake"], user=1000)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.installed(), [
             "sudo apt-get update --quiet",
-            "sudo apt-get install --yes --no-install-recommends g++ openfoam"])
+            "sudo apt-get install --yes --no-install-recommends --no-remove g++ openfoam"])
 
     def test_the_list_names_packages_once_each(self):
         lines = (SOURCE / ".ci/packages.txt").read_text().splitlines()
