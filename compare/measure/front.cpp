@@ -18,6 +18,17 @@ double part(double value, double a, double b) {
   return b == a ? 0.0 : (value - a) / (b - a);
 }
 
+/// To a hundred-thousandth of the scales, far below any spacing: what is printed beyond it would be
+/// the order in which a machine adds.
+std::vector<std::vector<double>> rows_of(const FrontHistory& history, const Scales& scales) {
+  const auto rounded = [](double value) { return std::round(value * 1e5) / 1e5; };
+  std::vector<std::vector<double>> rows;
+  for (const FrontSample& sample : history)
+    rows.push_back({sample.time.value(), rounded(scales.dimensionless(sample.time).value()),
+                    rounded(scales.dimensionless(sample.position).value())});
+  return rows;
+}
+
 }  // namespace
 
 std::optional<DimensionlessLength> DimensionlessFront::at(DimensionlessTime time) const {
@@ -114,20 +125,13 @@ DimensionlessFront dimensionless(const FrontHistory& history, const Scales& scal
 
 void write_front_csv(std::ostream& out, const FrontHistory& history, const Scales& scales) {
   out << "time_s,T,Z_over_L\n";
-  for (const FrontSample& sample : history)
-    out << number_text(sample.time.value()) << ','
-        << number_text(scales.dimensionless(sample.time).value()) << ','
-        << number_text(scales.dimensionless(sample.position).value()) << '\n';
+  for (const std::vector<double>& row : rows_of(history, scales))
+    out << number_text(row[0]) << ',' << number_text(row[1]) << ',' << number_text(row[2]) << '\n';
 }
 
 void write_front_csv(const std::filesystem::path& file, const FrontHistory& history,
                      const Scales& scales) {
-  std::vector<std::vector<double>> rows;
-  for (const FrontSample& sample : history) {
-    rows.push_back({sample.time.value(), scales.dimensionless(sample.time).value(),
-                    scales.dimensionless(sample.position).value()});
-  }
-  write_csv(file, {"time_s", "T", "Z_over_L"}, rows);
+  write_csv(file, {"time_s", "T", "Z_over_L"}, rows_of(history, scales));
 }
 
 }  // namespace surge::compare

@@ -121,7 +121,7 @@ struct FrontWithVariants {
 
 [[nodiscard]] DimensionlessFront dimensionless(const FrontHistory& history, const Scales& scales);
 
-/// Columns time_s,T,Z_over_L.
+/// Columns time_s,T,Z_over_L; T and Z/L to five decimals.
 void write_front_csv(std::ostream& out, const FrontHistory& history, const Scales& scales);
 void write_front_csv(const std::filesystem::path& file, const FrontHistory& history,
                      const Scales& scales);
