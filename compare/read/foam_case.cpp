@@ -55,16 +55,46 @@ std::string phase_of(const std::string& alpha) {
   return dot == std::string::npos ? "" : alpha.substr(dot + 1);
 }
 
+/// A number of a dictionary that no fluid has below zero, a density above it.
+double property(const FoamDictionary& d, const char* key, bool may_be_zero) {
+  const double value = d.number(key);
+  if (value < 0.0 || (value == 0.0 && !may_be_zero))
+    throw Error(d.place() + ": " + key + ": " + number_text(value) + " found, " +
+                (may_be_zero ? "at least 0" : "more than 0") + " expected");
+  return value;
+}
+
+/// The water is the heavier phase; its field named wrongly is the air's, and everything of it
+/// wrong.
+void expect_heaviest(double density, const std::string& phase, FoamReader& reader) {
+  const auto transport = constant_file(reader, "transportProperties");
+  const auto phases =
+      transport && transport->has("phases") ? transport : constant_file(reader, "phaseProperties");
+  if (!phases || !phases->has("phases")) return;
+  for (const std::string& other : phases->words("phases")) {
+    if (other == phase) continue;
+    auto d = constant_file(reader, "physicalProperties." + other);
+    if (!d) d = constant_file(reader, "transportProperties." + other);
+    if (!d && transport && transport->has_dictionary(other)) d = transport->dictionary(other);
+    if (!d || !d->has("rho")) continue;
+    const double found = property(*d, "rho", false);
+    if (found > density)
+      throw Error(d->place() + ": rho: " + number_text(found) + " of " + other + " found and " +
+                  number_text(density) + " of " + phase + ", whose field " + reader.alpha() +
+                  " is read as the water's; the heavier phase expected");
+  }
+}
+
 /// Density and viscosity, by the names that the versions of OpenFOAM have for them. What is not
 /// found stays empty: Z/L does not need it.
 void apply_properties(Physics& physics, FoamReader& reader) {
   std::string phase = phase_of(reader.alpha());
   const auto take = [&](const FoamDictionary& d) {
-    if (d.has("rho")) physics.density = d.number("rho");
+    if (d.has("rho")) physics.density = property(d, "rho", false);
     if (d.has("nu")) {
-      physics.kinematic_viscosity = d.number("nu");
+      physics.kinematic_viscosity = property(d, "nu", true);
     } else if (d.has("mu") && physics.density) {
-      physics.kinematic_viscosity = d.number("mu") / *physics.density;
+      physics.kinematic_viscosity = property(d, "mu", true) / *physics.density;
     }
   };
   const auto transport = constant_file(reader, "transportProperties");
@@ -75,6 +105,7 @@ void apply_properties(Physics& physics, FoamReader& reader) {
   }
   const bool found = physics.density && physics.kinematic_viscosity;
   if (!found && transport && transport->has_dictionary(phase)) take(transport->dictionary(phase));
+  if (physics.density) expect_heaviest(*physics.density, phase, reader);
   if (!physics.density || !physics.kinematic_viscosity)
     reader.tell("no density and viscosity of " + (phase.empty() ? reader.alpha() : phase) +
                 " in constant/ (physicalProperties, transportProperties): not compared");

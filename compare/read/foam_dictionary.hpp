@@ -42,6 +42,8 @@ class FoamDictionary {
   /// `nu nu [0 2 -1 0 0 0 0] 1e-06;` Throws where there are not that many finite ones.
   [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t count) const;
   [[nodiscard]] double number(const std::string& key) const { return numbers(key, 1)[0]; }
+  /// File, and the path of the sub-dictionary.
+  [[nodiscard]] const std::string& place() const { return place_; }
 
  private:
   friend class FoamParser;
@@ -50,7 +52,7 @@ class FoamDictionary {
   void merge(const FoamDictionary& other);
   [[noreturn]] void missing(const std::string& key, const std::string& expected) const;
 
-  std::string place_;   ///< file, and the path of the sub-dictionary
+  std::string place_;
   std::string unread_;  ///< files that #includeEtc names
   std::map<std::string, std::vector<std::string>> entries_;
   std::map<std::string, FoamDictionary> dictionaries_;

@@ -29,6 +29,25 @@ double beyond(const Vec3& x, const Extent& box) {
   return most;
 }
 
+/// The box of the particles, widened to each side by `sizes` of its longest one.
+Extent around(const std::vector<Vec3>& position, double sizes) {
+  Extent box{position.front(), position.front()};
+  for (const Vec3& x : position)
+    for (std::size_t a = 0; a < 3; ++a) {
+      box.lower[a] = std::min(box.lower[a], x[a]);
+      box.upper[a] = std::max(box.upper[a], x[a]);
+    }
+  double longest = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) longest = std::max(longest, box.upper[a] - box.lower[a]);
+  for (std::size_t a = 0; a < 3; ++a) {
+    box.lower[a] -= sizes * longest;
+    box.upper[a] += sizes * longest;
+  }
+  return box;
+}
+
+constexpr double far_sizes = 100.0;
+
 }  // namespace
 
 std::string seconds_text(Seconds time) {
@@ -64,6 +83,14 @@ void FrameWatch::look(const ParticleFrame& frame, std::size_t index, const std::
                   " m from their nearest neighbour, spacing " + number_text(spacing_->value()) +
                   " m; about one spacing expected in every frame (is one in other units?)");
   }
+  // Where walls are not known, a particle that was thrown to nowhere is not seen as outside of
+  // them.
+  if (index == 0) reach_ = around(frame.position, far_sizes);
+  if (reach_) {
+    const auto thrown = std::count_if(frame.position.begin(), frame.position.end(),
+                                      [&](const Vec3& x) { return beyond(x, *reach_) > 0.0; });
+    thrown_.add(index, static_cast<std::size_t>(thrown));
+  }
   if (!tank_) return;
   const auto outside =
       std::count_if(frame.position.begin(), frame.position.end(),
@@ -94,6 +121,9 @@ std::vector<std::string> FrameWatch::notices(const std::vector<Seconds>& times) 
                          ? "particles outside of the tank: "
                          : "particles behind the column's wall or below its floor: ") +
                     outside_.text(times));
+  if (!thrown_.counts.empty())
+    lines.push_back("particles farther away than " + number_text(far_sizes) +
+                    " times the size of all water of the first frame: " + thrown_.text(times));
   Sightings changed;
   for (const auto& [index, count] : particles_) {
     const std::size_t first = particles_.begin()->second;

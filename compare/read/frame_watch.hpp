@@ -51,6 +51,8 @@ class FrameWatch {
   std::optional<Extent> tank_;
   Sightings nonfinite_;
   Sightings outside_;
+  Sightings thrown_;
+  std::optional<Extent> reach_;  ///< where no particle leaves it for a reason of the flow
   std::map<std::size_t, std::size_t> particles_;     ///< by frame
   std::map<std::size_t, std::size_t> fingerprints_;  ///< of the positions, by frame
 };

@@ -89,6 +89,23 @@ TEST_F(FoamCaseFiles, PropertiesOfTheFoundationsVersions) {
   EXPECT_THAT(notices(), IsEmpty());
 }
 
+TEST_F(FoamCaseFiles, PropertiesThatNoWaterHasAreRefused) {
+  write();
+  const fs::path transport = path() / "constant/transportProperties";
+  write_text(transport, "phases (water air); water { nu 1e-06; rho -5; } air { rho 1; }");
+  EXPECT_THAT(refusal(), HasSubstr("water: rho: -5 found, more than 0 expected"));
+  write_text(transport, "phases (water air); water { nu -1; rho 998; } air { rho 1; }");
+  EXPECT_THAT(refusal(), HasSubstr("water: nu: -1 found, at least 0 expected"));
+  write_text(transport, "phases (water air); water { nu 1e-06; rho 1; } air { rho 998; }");
+  EXPECT_THAT(refusal(), HasSubstr("air: rho: 998 of air found and 1 of water, whose field "
+                                   "alpha.water is read as the water's; the heavier phase"));
+  fs::remove(transport);
+  write_text(path() / "constant/phaseProperties", "phases (water air); sigma 0.07;");
+  write_text(path() / "constant/physicalProperties.water", "nu 2e-06; rho 1.2;");
+  write_text(path() / "constant/physicalProperties.air", "nu 2e-06; rho 1000;");
+  EXPECT_THAT(refusal(), HasSubstr("physicalProperties.air: rho: 1000 of air found"));
+}
+
 TEST_F(FoamCaseFiles, ValuesFromIncludedFilesAndMacros) {
   write();
   write_text(path() / "system/parameters", "g0 9.81; rhoWater 1000; fluid { nu 3e-06; }");

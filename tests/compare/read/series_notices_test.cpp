@@ -96,6 +96,18 @@ TEST(Notices, ParticlesThatLeakAreCountedWhereNobodyStatesTheTank) {
                          "first at 0.04 s")));
 }
 
+TEST(Notices, ParticleThrownToNowhereIsCountedWhereNobodyStatesTheTank) {
+  Series series;
+  for (int i = 0; i < 4; ++i) {
+    auto points = ForeignFlow().fluid(i);
+    if (i == 3) points.back() = {1e30, 0.05, 0.0};
+    series.write(i, points, 0.02 * i);
+  }
+  EXPECT_THAT(series.notices(),
+              Contains(HasSubstr("farther away than 100 times the size of all water of the first "
+                                 "frame: up to 1 in 1 frames, first at 0.06 s")));
+}
+
 TEST(Notices, FramesThatAreTheSameAreTold) {
   const Series series;
   for (int i = 0; i < 6; ++i) series.write(i, i == 3 ? 2 : i, 0.02 * i);
