@@ -84,6 +84,7 @@ std::unique_ptr<Observable> make_profile(Parameters& parameters, const std::stri
   grid.step = parameters.number("step", Bounds::above(0.0)).value_or(context.run.spacing.value());
   std::optional<double> across;
   if (physics.dimension == 3) across = parameters.number(physics.vertical_axis() == 1 ? "z" : "y");
+  if (context.planned) return nullptr;
   return std::make_unique<ProfileObservable>(context.run, times, grid, across, name);
 }
 

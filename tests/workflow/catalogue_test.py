@@ -5,10 +5,11 @@ Usage: catalogue_test.py BUILD_FOLDER PART
 
 import json
 import math
+import subprocess
 import sys
 import unittest
 
-from project import COMPARE, SOURCE, STUDY, Project
+from project import COMPARE, REAL_COMPARE, SOURCE, STUDY, Project
 
 sys.path.insert(0, str(SOURCE / "compare/studies"))
 import catalogue  # noqa: E402
@@ -30,6 +31,18 @@ def metrics(values):
     return {"study": {"title": "T"}, "runs": told, "timing": {run: {"wall_s": 7.0} for run in values},
             "references": {"exp": {"kind": "experiment"}},
             "observables": {"p": {"title": "Pressure", "runs": runs}}}
+
+
+class Shipped(unittest.TestCase):
+    """What comes with the project: every study is read and held against its cases, and the catalogue is planned."""
+
+    def test_every_study_is_read(self):
+        studies = sorted((SOURCE / "compare/studies").glob("*.toml"))
+        self.assertGreater(len(studies), 15)
+        for study in studies:
+            done = subprocess.run([REAL_COMPARE, "study", study], cwd=SOURCE, text=True, check=False,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(done.returncode, 0, f"{study.name}: {done.stdout}")
 
 
 class Sums(unittest.TestCase):

@@ -120,6 +120,30 @@ TEST(MakeObservable, ListsEveryKindOnce) {
   }
 }
 
+// A study is held against its cases before there are frames.
+TEST(MakeObservable, EveryKindIsCheckedOfARunThatIsOnlyPlanned) {
+  MemoryRun memory(frames({0.0}), testing::dam_break(), l0);
+  memory.run.frames.reset();
+  memory.run.manifest = {
+      {"case", {{"probes", {{{"name", "wall"}}}}, {"forces", {{{"name", "end"}}}}}}};
+  const std::map<std::string, std::map<std::string, std::string>> parameters{
+      {"gauge", {{"x", "0.3"}}},
+      {"profile", {{"times", "0.1;0.2"}}},
+      {"force", {{"on", "end"}}},
+      {"pressure", {{"probe", "wall"}}}};
+  for (const ObservableKind& kind : observable_kinds()) {
+    const auto found = parameters.find(std::string(kind.name));
+    const auto given =
+        found == parameters.end() ? std::map<std::string, std::string>() : found->second;
+    try {
+      check_observable("q", std::string(kind.name), given, {memory.run, {}, &memory.run});
+    } catch (const Error& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("q: "))
+          << kind.name << ": " << error.what();
+    }
+  }
+}
+
 TEST(MeasureFront, EndsWhereTheLeadingEdgeIsLost) {
   std::vector<Frame> all = frames({0.0, 0.05, 0.1, 0.15});
   for (Vec3& x : std::get<ParticleFrame>(all[2]).position) x[1] += 0.1;
