@@ -16,7 +16,7 @@ from pathlib import Path
 PROGRAMS = ("setpriv", "munged", "slurmctld", "slurmd", "sbatch", "scontrol", "scancel")
 NODES = ("surge1", "surge2")
 CPUS, MEMORY = 2, 4000  # of each node; Slurm counts them, and does not look whether they are there
-# Jobs are never forgotten, and a controller that the machine keeps from its work may be slow to answer.
+# Jobs are not forgotten for a day, and a controller that the machine keeps from its work may be slow to answer.
 CONFIGURATION = """ClusterName=surgefront
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={controller}
@@ -41,7 +41,7 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU_Memory
 SchedulerParameters=batch_sched_delay=0,sched_interval=1
 KillWait=2
-MinJobAge=0
+MinJobAge=100000
 MessageTimeout=100
 ReturnToService=2
 SlurmdParameters=config_overrides
