@@ -5,6 +5,7 @@
 
 #include "particle/support/error.hpp"
 #include "particle/support/spelling.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 
@@ -56,8 +57,7 @@ std::vector<double> Parameters::numbers(const std::string& key) {
 void Parameters::finish() const {
   for (const auto& [key, value] : entries_) {
     if (taken_.contains(key)) continue;
-    std::string known;
-    for (const std::string& other : taken_) known += (known.empty() ? "" : ", ") + other;
+    const std::string known = comma_list(taken_);
     const std::string near = nearest(key, taken_);
     fail(key, "an unknown parameter",
          known.empty() ? "none" : known + (near.empty() ? "" : " (\"" + near + "\"?)"));

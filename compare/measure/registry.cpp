@@ -6,6 +6,7 @@
 #include "compare/measure/kinds.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/spelling.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
@@ -56,11 +57,9 @@ std::unique_ptr<Observable> make_observable(const std::string& name, const std::
     taken.finish();
     return observable;
   }
-  std::string list;
-  for (const std::string& entry : known) list += (list.empty() ? "" : ", ") + entry;
   const std::string near = nearest(kind, known);
-  throw Error(name + ": found an unknown observable \"" + kind + "\", expected one of " + list +
-              (near.empty() ? "" : " (\"" + near + "\"?)"));
+  throw Error(name + ": found an unknown observable \"" + kind + "\", expected one of " +
+              comma_list(known) + (near.empty() ? "" : " (\"" + near + "\"?)"));
 }
 
 void check_observable(const std::string& name, const std::string& kind,

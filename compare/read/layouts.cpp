@@ -17,12 +17,6 @@ bool speaks_of(const std::string& name, std::initializer_list<const char*> words
                      [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 Stems stems_at(const fs::path& path, const SourceOptions& options) {
   Stems stems;
   if (fs::is_directory(path)) {
@@ -99,7 +93,7 @@ SourceView SourceView::inside(const std::string& folder) const {
 
 void Layout::assume_velocity(const std::vector<std::string>& names) {
   assume(options.velocity_array, SourceOptions().velocity_array, names,
-         "velocity " + listed(names));
+         "velocity " + comma_list(names));
 }
 
 void Layout::assume_pressure(const std::string& name) {
@@ -107,7 +101,7 @@ void Layout::assume_pressure(const std::string& name) {
 }
 
 void Layout::assume_position(const std::vector<std::string>& names) {
-  assume(options.position_array, {}, names, "position " + listed(names));
+  assume(options.position_array, {}, names, "position " + comma_list(names));
 }
 
 void Layout::assume_type(const ParticleTable& table, const std::string& name,
@@ -142,11 +136,11 @@ void Layout::assume_files(const std::vector<std::string>& fluid,
                           const std::vector<std::string>& walls) {
   if (options.files.empty() && !fluid.empty()) {
     options.files = fluid;
-    assumed.push_back("fluid in " + listed(fluid));
+    assumed.push_back("fluid in " + comma_list(fluid));
   }
   if (options.walls.empty() && !walls.empty()) {
     options.walls = walls;
-    assumed.push_back("no fluid in " + listed(walls));
+    assumed.push_back("no fluid in " + comma_list(walls));
   }
 }
 

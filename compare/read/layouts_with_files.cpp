@@ -8,6 +8,7 @@
 #include "compare/read/layouts.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
@@ -170,8 +171,7 @@ bool recognise_pysph(const SourceView& view, Layout& layout) {
     const bool all_known = std::all_of(walls.begin(), walls.end(), names_wall);
     layout.program = "PySPH";
     layout.because = "particles/*/arrays and solver_data";
-    std::string found;
-    for (const std::string& body : bodies) found += (found.empty() ? "" : ", ") + body;
+    const std::string found = comma_list(bodies);
     if (fluid.empty() || !all_known) {
       layout.hints.push_back("--groups: particles/NAME/arrays of the fluid; names: " + found);
       return true;

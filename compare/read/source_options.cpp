@@ -10,6 +10,7 @@
 
 #include "particle/support/error.hpp"
 #include "particle/support/spelling.hpp"
+#include "particle/support/text.hpp"
 #include "particle/support/toml.hpp"
 
 namespace surge::compare {
@@ -25,9 +26,7 @@ struct Setting {
   fs::path folder;
 
   [[noreturn]] void fail(const std::string& expected) const {
-    std::string found;
-    for (const std::string& word : words) found += (found.empty() ? "" : ", ") + word;
-    throw Error(place + ": found \"" + found + "\", expected " + expected);
+    throw Error(place + ": found \"" + comma_list(words) + "\", expected " + expected);
   }
   [[nodiscard]] const std::string& one(const std::string& expected = "one value") const {
     if (words.size() != 1 || words[0].empty()) fail(expected);
@@ -222,9 +221,7 @@ std::string TypeValues::text() const {
 
 FileAxes FileAxes::parse(Words words, const std::string& place) {
   const auto fail = [&] {
-    std::string found;
-    for (const std::string& word : words) found += (found.empty() ? "" : ", ") + word;
-    throw Error(place + ": found \"" + found +
+    throw Error(place + ": found \"" + comma_list(words) +
                 "\", expected the axes along the surge and up, two of x, y, z with or without -, "
                 "such as x, z");
   };

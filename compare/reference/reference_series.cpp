@@ -12,6 +12,7 @@
 #include "particle/case/case_json.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/spelling.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
@@ -223,11 +224,8 @@ class ReferenceParser {
     series_.citation = take("citation");
     series_.case_name = take("case");
     series_.observable = take("observable");
-    if (std::find(known_.begin(), known_.end(), series_.observable) == known_.end()) {
-      std::string list;
-      for (const std::string& kind : known_) list += (list.empty() ? "" : ", ") + kind;
-      fail("observable", "\"" + series_.observable + "\"", "one of " + list);
-    }
+    if (std::find(known_.begin(), known_.end(), series_.observable) == known_.end())
+      fail("observable", "\"" + series_.observable + "\"", "one of " + comma_list(known_));
     series_.component = maybe("component").value_or("");
     if (series_.component.size() > 1 || std::string("xyz").find(series_.component) > 2)
       fail("component", "\"" + series_.component + "\"", "x, y or z");

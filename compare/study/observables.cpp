@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/measure/registry.hpp"
+#include "particle/support/text.hpp"
 
 namespace surge::compare {
 namespace {
@@ -42,9 +43,7 @@ std::map<std::string, std::string> read_parameters(const TomlTable& table) {
 CurveMeasure measure_of(const TomlTable& table, const std::string& key, const std::string& word) {
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<CurveMeasure>(found - words.begin());
-  std::string list;
-  for (const std::string_view known : words) list.append(list.empty() ? "" : ", ").append(known);
-  throw table.error(key, word, "one of " + list);
+  throw table.error(key, word, "one of " + comma_list(words));
 }
 
 void read_compare(const TomlTable& table, StudyObservable& out) {

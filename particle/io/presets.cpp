@@ -1,4 +1,5 @@
 #include "particle/io/presets.hpp"
+#include "particle/support/text.hpp"
 
 #include <algorithm>
 
@@ -16,12 +17,9 @@ void apply(const Method& method, std::string_view name, std::any& options, std::
   const auto files = preset_files();
   const auto file =
       std::find_if(files.begin(), files.end(), [&](auto& f) { return f.name == full; });
-  if (file == files.end()) {
-    std::string known;
-    for (const std::string& other : preset_names(method.name))
-      known += (known.empty() ? "" : ", ") + other;
-    throw Error("preset: found \"" + std::string(name) + "\", expected one of " + known);
-  }
+  if (file == files.end())
+    throw Error("preset: found \"" + std::string(name) + "\", expected one of " +
+                comma_list(preset_names(method.name)));
   const TomlTable preset = open_preset(*file);
   static_cast<void>(preset.text("description"));
   if (preset.has("extends")) {
