@@ -85,6 +85,17 @@ void FractionGrid::add(const FrameView& frame) {
     if (const double fraction = frame.fraction(i); fraction > 0.0) add_box(frame.box(i), fraction);
 }
 
+Extent FractionGrid::box_of(std::size_t cell) const {
+  const std::array<std::size_t, 3> k{cell % count_[0], cell / count_[0] % count_[1],
+                                     cell / (count_[0] * count_[1])};
+  Extent box;
+  for (const std::size_t a : axes_) {
+    box.lower[a] = origin_[a] + static_cast<double>(k[a]) * cell_;
+    box.upper[a] = box.lower[a] + cell_;
+  }
+  return box;
+}
+
 double FractionGrid::volume() const {
   return std::pow(cell_, static_cast<double>(axes_.size())) *
          std::accumulate(fraction_.begin(), fraction_.end(), 0.0);

@@ -23,6 +23,8 @@ class FractionGrid {
   /// Whether a cell is at least half full.
   [[nodiscard]] bool wet(std::size_t cell) const { return fraction_[cell] >= 0.5; }
   [[nodiscard]] std::size_t size() const { return fraction_.size(); }
+  /// Of a cell, along FrameView::axes() only, m.
+  [[nodiscard]] Extent box_of(std::size_t cell) const;
   /// Water in all cells, m2 or m3; what lies above the grid's top is not in it.
   [[nodiscard]] double volume() const;
 
