@@ -81,7 +81,8 @@ class Plot(CommandLine):
         self.assertEqual(said, "run: t = 0.01 s, 2 of 3 frames: b.png\n")
         self.call("surge-compare", "plot", "run", "--time", "0.01", "--out", "c.png")
         self.assertEqual((self.folder / "b.png").read_bytes(), (self.folder / "c.png").read_bytes())
-        self.assertIn("surge-compare: --time: found 7 s", self.call("surge-particle", "plot", "run", "--time", "7", code=1)[1])
+        self.assertIn("surge-compare: --time: found 7 s",
+                      self.call("surge-particle", "plot", "run", "--time", "7", code=1)[1])
         shutil.copy2(PROGRAMS / "surge-particle", self.folder)
         alone = subprocess.run([self.folder / "surge-particle", "plot", "run"], cwd=self.folder, text=True,
                                capture_output=True, check=False)
