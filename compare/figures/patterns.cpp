@@ -195,7 +195,7 @@ Figure pattern_figure(const StudyResult& study) {
                       : "set format x \"\"\nunset xlabel\n");
   };
   place(0.98, 0.715, false);
-  script << "set ylabel \"overlap with the reference\"\nset yrange [0:1]\nset key opaque bottom left Left "
+  script << "set ylabel \"overlap with the reference\"\nset yrange [0:1]\nset key bottom left Left "
             "reverse\n"
          << overlap_panel(study, overlaps);
   place(0.675, 0.41, false);
