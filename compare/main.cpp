@@ -31,7 +31,7 @@ int run(int argc, char** argv) {
   try {
     return parse_command_line(app, argc, argv) ? exit_code : static_cast<int>(exit_success);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_success : exit_error;
+    return app.exit(error);
   }
 }
 

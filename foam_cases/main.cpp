@@ -112,8 +112,7 @@ int run_program(int argc, char** argv) {
   try {
     if (!surge::parse_command_line(app, argc, argv)) return 0;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw surge::Error(std::string(error.what()) + " (surge-foam --help tells the usage)");
+    return app.exit(error);
   }
   if (make_command->parsed()) make(arguments);
   if (check_command->parsed()) check(arguments);

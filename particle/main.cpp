@@ -1,8 +1,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -33,6 +36,8 @@ struct Arguments {
   bool quiet = false;
   std::string new_file;
   int dimension = 2;
+  std::string plotted;
+  std::vector<std::string> plot_options;
 };
 
 constexpr int exit_interrupted = 130;  // as shells report a program ended by Ctrl-C
@@ -73,6 +78,20 @@ void make_case(const Arguments& arguments) {
   if (arguments.new_file == "-") return;
   const std::string name = surge::printable(arguments.new_file);
   std::cout << "written to " << name << "; next: surge-particle check " << name << '\n';
+}
+
+/// Becomes the program that draws, which is installed beside this one.
+[[noreturn]] void plot(const Arguments& arguments) {
+  const auto program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "surge-compare";
+  std::vector<std::string> words{program.string(), "plot", arguments.plotted};
+  words.insert(words.end(), arguments.plot_options.begin(), arguments.plot_options.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  execv(program.c_str(), pointers.data());
+  throw surge::Error(program.string() + ": " + std::strerror(errno) +
+                     "; expected surge-compare there, which draws");
 }
 
 void list_keys() {
@@ -171,11 +190,27 @@ int run_program(int argc, char** argv) {
       ->type_name("CASE.toml");
   new_command->add_option("--dimension", arguments.dimension, "2 or 3; 2 by default")
       ->type_name("N");
+  CLI::App* plot_command = app.add_subcommand(
+      "plot", "picture (PNG) of one frame of a run, drawn by surge-compare plot");
+  plot_command->add_option("run", arguments.plotted, "folder of the run")
+      ->required()
+      ->type_name("RUN");
+  const auto hand_on = [&](const std::string& name, const std::string& type, const char* text) {
+    plot_command
+        ->add_option_function<std::string>(
+            name,
+            [&arguments, name](const std::string& value) {
+              arguments.plot_options.insert(arguments.plot_options.end(), {name, value});
+            },
+            text)
+        ->type_name(type);
+  };
+  hand_on("--out", "FILE", "picture to write; NAME.png by default");
+  hand_on("--time", "S", "the last frame by default");
   try {
     if (!surge::parse_command_line(app, argc, argv)) return 0;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    throw surge::Error(std::string(error.what()) + " (surge-particle --help tells the usage)");
+    return app.exit(error);
   }
   arguments.run.terminal = isatty(STDOUT_FILENO) == 1 && !arguments.quiet;
   if (run_command->parsed()) {
@@ -185,6 +220,7 @@ int run_program(int argc, char** argv) {
   if (check_command->parsed()) check(arguments);
   if (list_command->parsed()) list(arguments);
   if (new_command->parsed()) make_case(arguments);
+  if (plot_command->parsed()) plot(arguments);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
@@ -59,18 +60,20 @@ void make_of_study(const ReportInput& arguments,
   }
 }
 
-void draw_and_say(const Figure& figure, const fs::path& folder) {
-  if (!figure.missing.empty()) {
-    std::printf("%s: not drawn: %s\n", figure.name.c_str(),
-                printable_lines(figure.missing).c_str());
-    return;
+void draw_and_say(std::span<const Figure> figures, const fs::path& folder) {
+  const std::vector<std::string> warnings = draw_all(figures, folder);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    const std::string name = figures[i].name;
+    if (!figures[i].missing.empty()) {
+      std::printf("%s: not drawn: %s\n", name.c_str(), printable_lines(figures[i].missing).c_str());
+      continue;
+    }
+    if (!warnings[i].empty()) {
+      std::fprintf(stderr, "surge-compare: %s: %s", name.c_str(),
+                   printable_lines(warnings[i]).c_str());
+    }
+    std::printf("%s\n", (folder / (name + ".svg")).c_str());
   }
-  const std::string warnings = draw(figure, folder);
-  if (!warnings.empty()) {
-    std::fprintf(stderr, "surge-compare: %s: %s", figure.name.c_str(),
-                 printable_lines(warnings).c_str());
-  }
-  std::printf("%s\n", (folder / (figure.name + ".svg")).c_str());
 }
 
 void run_report(const ReportInput& arguments, const StudyResult& study) {
@@ -98,7 +101,7 @@ void add_figures_command(CLI::App& app) {
   add_study_options(*command, *arguments, "report/figures");
   command->callback([arguments] {
     make_of_study(*arguments, [&](const StudyResult& study) {
-      for (const Figure& figure : figures_of(study)) draw_and_say(figure, arguments->out);
+      draw_and_say(figures_of(study), arguments->out);
     });
   });
 }
@@ -117,7 +120,7 @@ void add_figure_command(CLI::App& app) {
       const Figure figure = figure_of(study, arguments->figure);
       if (!figure.missing.empty())
         throw Error("figure " + arguments->figure + ": nothing to draw: " + figure.missing);
-      draw_and_say(figure, arguments->out);
+      draw_and_say({&figure, 1}, arguments->out);
     });
   });
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "compare/figures/axis_range.hpp"
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/study/cost_curves.hpp"
@@ -107,6 +108,8 @@ Figure cost_figure(const StudyResult& study) {
                         "This study has no timed runs. Its figure is made by ./Allrun --study "
                         "compare/studies/timing.toml, which times both methods at many sizes.");
   }
+  const std::string sizes = axis_range("x", table, {1});
+  const std::string steps = axis_range("y", table, {3}), totals = axis_range("y", table, {10});
   figure.tables.push_back(std::move(table));
   figure.caption =
       "Left: solving time per step in the first steps of the collapse. Right: solving time of the "
@@ -116,9 +119,9 @@ Figure cost_figure(const StudyResult& study) {
   figure.script =
       "set multiplot\nset logscale xy\nset format \"10^{%L}\"\nset xlabel \"fluid particles\" "
       "offset 0,0.4\nset tmargin at screen 0.97\nset bmargin at screen 0.36\n" +
-      panel_place(0.085, 0.485) + "set ylabel \"ms per step\" offset 1.2\n" + step_panel(curves) +
-      panel_place(0.575, 0.975) + "set ylabel \"total, s\" offset 1.2\n" + total_panel(curves) +
-      "unset multiplot\n";
+      panel_place(0.085, 0.485) + sizes + steps + "set ylabel \"ms per step\" offset 1.2\n" +
+      step_panel(curves) + panel_place(0.575, 0.975) + totals +
+      "set ylabel \"total, s\" offset 1.2\n" + total_panel(curves) + "unset multiplot\n";
   return figure;
 }
 

@@ -96,10 +96,11 @@ std::vector<Figure> cost_to_error_figures(const StudyResult& study) {
     plots += (plots.empty() ? "plot " : ", \\\n     ") + text;
   };
   for (const auto& [method, style] : styles) {
-    const std::string colour = " lc rgb \"" + style.colour.hex() + "\"";
+    // Bars of a coarse study are as high as the picture; the lines must be seen before them.
+    const std::string pale = " lc rgb \"#a0" + style.colour.hex().substr(1) + "\"";
     for (const char* kind : {"one", "more"})
       if (has(method, kind))
-        add(rows_of(method, kind, "4:5:6") + " with yerrorbars pt 0 lw 0.7" + colour + " notitle");
+        add(rows_of(method, kind, "4:5:6") + " with yerrorbars pt 0 lw 0.7" + pale + " notitle");
     if (has(method, "one"))
       add(rows_of(method, "one", "4") + " with linespoints " + line_spec(style, 1.1) + " pt " +
           std::to_string(style.point) + " ps 0.9 title " + plot_string(method));

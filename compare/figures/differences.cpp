@@ -33,16 +33,14 @@ struct DifferenceLayout {
 constexpr double shown_part = 0.97;
 
 /// Height over L below which that part of the wet cells lies.
-double height_of(const std::vector<DifferencePanel>& panels, const PictureScale& scale,
-                 const Physics& physics) {
+double height_of(const std::vector<DifferencePanel>& panels, const PictureScale& scale) {
   double height = 0.5;
   for (const DifferencePanel& panel : panels) {
     if (!panel.found) continue;
     std::vector<double> tops;
     for (std::size_t i = 0; i < panel.found->water.size(); ++i)
       if (panel.found->water.wet(i) || panel.found->reference.wet(i))
-        tops.push_back(
-            scale.y(box_of(panel.found->water, physics, panel.found->cell, i).upper[scale.up]));
+        tops.push_back(scale.y(panel.found->water.box_of(i).upper[scale.up]));
     if (tops.empty()) continue;
     const auto nth =
         tops.begin() + static_cast<std::ptrdiff_t>(shown_part * double(tops.size() - 1));
@@ -52,13 +50,13 @@ double height_of(const std::vector<DifferencePanel>& panels, const PictureScale&
   return std::max(1.0, std::ceil(2.0 * (height + 0.05)) / 2.0);
 }
 
-Image picture_of(const WaterDifference& found, const PictureScale& scale, const Physics& physics,
+Image picture_of(const WaterDifference& found, const PictureScale& scale,
                  const DifferenceLayout& layout, double height) {
   Image image(layout.from, layout.to, 0.0, height, 11.0 * layout.scale());
   for (std::size_t i = 0; i < found.water.size(); ++i) {
     const bool mine = found.water.wet(i), theirs = found.reference.wet(i);
     if (!mine && !theirs) continue;
-    const Extent box = box_of(found.water, physics, found.cell, i);
+    const Extent box = found.water.box_of(i);
     image.rectangle(scale.x(box.lower[0]), scale.x(box.upper[0]), scale.y(box.lower[scale.up]),
                     scale.y(box.upper[scale.up]),
                     mine && theirs ? both
@@ -135,7 +133,7 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
       }
       row.push_back({std::move(found), "no frame at this time"});
     }
-    heights.push_back(height_of(row, scale, reference.physics));
+    heights.push_back(height_of(row, scale));
     mm += heights.back() * layout.scale() + layout.row_gap;
   }
   figure.height_mm = mm;
@@ -181,8 +179,7 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
       } else {
         const std::string name = "differences_" + std::to_string(r) + "_" + std::to_string(c);
         const double pixel = 1.0 / (11.0 * layout.scale());
-        figure.images.push_back(
-            {name, picture_of(*panel.found, scale, reference.physics, layout, heights[r])});
+        figure.images.push_back({name, picture_of(*panel.found, scale, layout, heights[r])});
         figure.script +=
             "set label 2 \"" + fixed_text(panel.found->size() / (length * length), 3) +
             " {/:Italic L}²" + (panel.found->part() ? ", " + per_cent(*panel.found->part()) : "") +

@@ -1,8 +1,12 @@
 #include "compare/figures/gnuplot.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "particle/support/error.hpp"
 #include "particle/support/process.hpp"
@@ -41,10 +45,8 @@ set bars 0.4
   return out.str();
 }
 
-}  // namespace
-
-std::string draw(const Figure& figure, const fs::path& folder) {
-  if (!figure.missing.empty()) return "";
+/// All that gnuplot reads of a figure.
+void write_inputs(const Figure& figure, const fs::path& folder) {
   fs::create_directories(folder);
   for (const auto& table : figure.tables) write_csv(table, folder);
   for (const auto& [name, image] : figure.images) image.write_png(folder / (name + ".png"));
@@ -53,8 +55,44 @@ std::string draw(const Figure& figure, const fs::path& folder) {
   out << preamble(figure) << figure.script << "\nunset output\nreset session\n}\n";
   out.close();
   if (!out) throw write_error(folder / script);
+}
+
+std::string run_gnuplot(const Figure& figure, const fs::path& folder) {
+  const std::string script = figure.name + ".gp";
   const auto [status, said] = run_process("gnuplot", {script}, folder, "gnuplot-nox");
   if (status != 0) throw Error((folder / script).string() + ": gnuplot failed: " + said);
+  return said;
+}
+
+}  // namespace
+
+std::string draw(const Figure& figure, const fs::path& folder) {
+  return draw_all({&figure, 1}, folder).front();
+}
+
+std::vector<std::string> draw_all(std::span<const Figure> figures, const fs::path& folder) {
+  for (const Figure& figure : figures)
+    if (figure.missing.empty()) write_inputs(figure, folder);
+  std::vector<std::string> said(figures.size());
+  std::vector<std::exception_ptr> failed(figures.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < figures.size(); i = next++) {
+      try {
+        if (figures[i].missing.empty()) said[i] = run_gnuplot(figures[i], folder);
+      } catch (...) {
+        failed[i] = std::current_exception();
+      }
+    }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> helpers;
+    for (std::size_t k = 1; k < std::min(cores, figures.size()); ++k) helpers.emplace_back(work);
+    work();
+  }
+  for (const std::exception_ptr& failure : failed)
+    if (failure) std::rethrow_exception(failure);
   return said;
 }
 

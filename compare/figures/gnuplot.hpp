@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,10 @@ struct Figure {
 /// draws it again. Returns gnuplot's warnings, empty where there are none; throws Error with its
 /// message where it fails or is not installed. Of a figure with nothing to draw no file is written.
 [[nodiscard]] std::string draw(const Figure& figure, const std::filesystem::path& folder);
+
+/// The same for several figures, as many at a time as there are cores; warnings in their order.
+[[nodiscard]] std::vector<std::string> draw_all(std::span<const Figure> figures,
+                                                const std::filesystem::path& folder);
 
 /// Text as a gnuplot string in double quotes, characters as they are.
 [[nodiscard]] std::string plot_string(const std::string& text);

@@ -73,6 +73,10 @@ class ObservableDrawing {
   Figure made() {
     add_runs();
     add_series();
+    if (lines_.empty()) {
+      figure_.missing = "No run has two values of it, and nothing was published of this case.";
+      return std::move(figure_);
+    }
     figure_.caption = caption();
     figure_.x_label = quantity_.is_profile() ? "x, m" : "t, s";
     figure_.y_label =
@@ -187,7 +191,7 @@ class ObservableDrawing {
       for (const std::string& one : lines_)
         if ((one.find("filledcurves") != std::string::npos) == band)
           text += (text.empty() ? "plot " : ", \\\n     ") + one;
-    return text.empty() ? "plot 1/0 notitle\n" : text + "\n";
+    return text + "\n";
   }
 
   [[nodiscard]] std::string caption() const {

@@ -1,15 +1,54 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
 
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
+#include "particle/support/bounds.hpp"
 
 namespace surge::compare {
 
 namespace {
 
 constexpr const char* patterns_title = "Flow patterns: overlap with the reference, detached water";
+
+/// The overlap at the times of which run and reference both have a frame. A line through them must
+/// not be broken by the run's other times.
+struct Overlaps {
+  Table table{"overlap", {"run", "time_s", "T", "overlap"}, {}};
+  std::map<const RunResult*, std::size_t> count;
+  std::string where;  ///< for the caption: which times these are
+};
+
+Overlaps overlaps_of(const StudyResult& study) {
+  Overlaps found;
+  const Scales scales = study.reference_run().run.physics.scales();
+  std::string fewer;
+  for (const RunResult* run : study.measured()) {
+    if (run == &study.reference()) continue;
+    std::vector<double> times;
+    for (const PatternSample& s : study.pattern(*run)) {
+      if (!s.overlap) continue;
+      times.push_back(s.time.value());
+      found.table.add(
+          {run->study.name, s.time.value(), scales.dimensionless(s.time).value(), *s.overlap});
+    }
+    found.count[run] = times.size();
+    const std::size_t frames = study.pattern(*run).size();
+    if (times.size() == frames) continue;
+    fewer += (fewer.empty() ? "" : "; ") + run->label() + " ";
+    if (times.empty()) {
+      fewer += "has none of its " + std::to_string(frames) + " frames at a time of the reference";
+    } else {
+      fewer += "at " + std::to_string(times.size()) + " of its " + std::to_string(frames) +
+               " frames, " + number_text(times.front()) + " to " + number_text(times.back()) + " s";
+    }
+  }
+  found.where = "at the times of which both have a frame" + (fewer.empty() ? "" : ": " + fewer);
+  return found;
+}
 
 /// Rows of all runs; NaN where a run has no overlap at that time.
 Table pattern_table(const StudyResult& study) {
@@ -46,44 +85,74 @@ LineStyle style_of(const StudyResult& study, const RunResult& run) {
   return reference_style();
 }
 
-std::string rows_of(const RunResult& run) {
-  return "\"patterns.csv\" using (strcol(1) eq " + plot_string(run.study.name) +
+std::string rows_of(const RunResult& run, const char* table = "patterns") {
+  return '"' + std::string(table) + ".csv\" using (strcol(1) eq " + plot_string(run.study.name) +
          " ? column(3) : NaN)";
 }
 
-/// A curve per run; with a band between two columns where there are some.
-std::string panel(const StudyResult& study, int column, int least, int most, bool reference,
-                  bool legend, double scale) {
+/// Joins what is drawn in one panel.
+class Panel {
+ public:
+  void add(const std::string& text) { plots_ += (plots_.empty() ? "plot " : ", \\\n     ") + text; }
+  [[nodiscard]] std::string text() const { return plots_ + "\n"; }
+
+ private:
+  std::string plots_;
+};
+
+/// A curve per run, with markers where there are few times; the legend names all runs.
+std::string overlap_panel(const StudyResult& study, const Overlaps& overlaps) {
+  constexpr std::size_t few = 40;
+  Panel panel;
+  panel.add("1/0 notitle");  // gnuplot draws no legend without a plot
+  for (const RunResult* run : study.measured()) {
+    if (run == &study.reference()) continue;
+    const std::string line = line_spec(style_of(study, *run), 1.2);
+    const std::size_t count = overlaps.count.at(run);
+    if (count == 0) {
+      panel.add("keyentry with lines " + line + " title " +
+                plot_string(run->label() + ": no time in common"));
+    } else {
+      panel.add(rows_of(*run, "overlap") + ":4 with " +
+                (count < few ? "linespoints pt 7 ps 0.25 " : "lines ") + line + " title " +
+                plot_string(run->label()));
+    }
+  }
+  panel.add("keyentry with lines " + line_spec(reference_style(), 1.4) + " title " +
+            plot_string(study.reference().label()));
+  return panel.text();
+}
+
+/// A curve per run with a band between two columns.
+std::string panel_of(const StudyResult& study, int column, int least, int most, double scale) {
   const auto value = [&](int c) {
     return "($" + std::to_string(c) + "*" + plot_number(scale) + ")";
   };
-  std::string plots;
-  const auto add = [&](const std::string& text) {
-    plots += (plots.empty() ? "plot " : ", \\\n     ") + text;
-  };
-  for (const RunResult* run : study.measured()) {
-    if (least == 0 || (run == &study.reference() && !reference)) continue;
-    add(rows_of(*run) + ":" + value(least) + ":" + value(most) +
-        " with filledcurves fs transparent solid 0.22 noborder fc rgb \"" +
-        style_of(study, *run).colour.hex() + "\" notitle");
-  }
-  for (const RunResult* run : study.measured()) {
-    if (run == &study.reference() && !reference) continue;
-    add(rows_of(*run) + ":" + value(column) + " with lines " +
-        line_spec(style_of(study, *run), run == &study.reference() ? 1.4 : 1.2) +
-        (legend ? " title " + plot_string(run->label()) : " notitle"));
-  }
-  if (legend && !reference) {
-    add("keyentry with lines " + line_spec(reference_style(), 1.4) + " title " +
-        plot_string(study.reference().label()));
-  }
-  return plots + "\n";
+  Panel panel;
+  for (const RunResult* run : study.measured())
+    panel.add(rows_of(*run) + ":" + value(least) + ":" + value(most) +
+              " with filledcurves fs transparent solid 0.22 noborder fc rgb \"" +
+              style_of(study, *run).colour.hex() + "\" notitle");
+  for (const RunResult* run : study.measured())
+    panel.add(rows_of(*run) + ":" + value(column) + " with lines " +
+              line_spec(style_of(study, *run), run == &study.reference() ? 1.4 : 1.2) + " notitle");
+  return panel.text();
 }
 
 /// Largest value of a column, at least `least`.
 double largest(const Table& table, std::size_t column, double least) {
   for (const auto& row : table.rows) least = std::max(least, std::get<double>(row[column]));
   return least;
+}
+
+/// Least and largest value of a column.
+std::pair<double, double> range_of(const Table& table, std::size_t column) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const auto& row : table.rows) {
+    least = std::min(least, std::get<double>(row[column]));
+    most = std::max(most, std::get<double>(row[column]));
+  }
+  return {least, most > least ? most : least + 1.0};
 }
 
 }  // namespace
@@ -98,9 +167,11 @@ Figure pattern_figure(const StudyResult& study) {
     return empty_figure(figure.name, patterns_title,
                         "No run besides the reference could be measured.");
   figure.tables.push_back(pattern_table(study));
+  Overlaps overlaps = overlaps_of(study);
   figure.caption =
       "Top: part that the regions of water of a run and of " + study.reference().label() +
-      " have in common, over that which either covers. Middle: water that is not connected to the "
+      " have in common, over that which either covers, " + overlaps.where +
+      ". Middle: water that is not connected to the "
       "main body, in per cent of all the water. Bottom: in how many pieces. The line is for a "
       "linking length of 2 spacings (mesh: corners half full), the band for 1.5 to 2.5 spacings "
       "(three quarters to one quarter full); it leaves the picture where a short linking length "
@@ -111,30 +182,33 @@ Figure pattern_figure(const StudyResult& study) {
   const Table& rows = figure.tables.front();
   std::ostringstream script;
   // The bands may go far beyond what the lines need, where a strict rule cuts the main body in two.
-  script << "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.985\n";
+  const auto [first, last] = range_of(rows, 2);
+  script << "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.985\nset xrange ["
+         << plot_number(first) << ":" << plot_number(last) << "]\n";
   if (hit) {
     script << "set arrow 1 from first " << plot_number(impact) << ",graph 0 to first "
            << plot_number(impact) << ",graph 1 nohead lw 1 lc rgb \"#909090\" back\n";
   }
-  const auto place = [&](double top, double bottom, bool last) {
+  const auto place = [&](double top, double bottom, bool lowest) {
     script << "set tmargin at screen " << top << "\nset bmargin at screen " << bottom << "\n"
-           << (last ? "set format x \"%g\"\nset xlabel \"{/:Italic T} = {/:Italic t} "
-                      "(2{/:Italic g}/{/:Italic L})^{1/2}\"\n"
-                    : "set format x \"\"\nunset xlabel\n");
+           << (lowest ? "set format x \"%g\"\nset xlabel \"{/:Italic T} = {/:Italic t} "
+                        "(2{/:Italic g}/{/:Italic L})^{1/2}\"\n"
+                      : "set format x \"\"\nunset xlabel\n");
   };
   place(0.98, 0.715, false);
   script << "set ylabel \"overlap with the reference\"\nset yrange [0:1]\nset key bottom left Left "
             "reverse\n"
-         << panel(study, 4, 0, 0, false, true, 1.0);
+         << overlap_panel(study, overlaps);
   place(0.675, 0.41, false);
   script << "set ylabel \"detached water, %\"\nset yrange [0:"
          << plot_number(std::ceil(150.0 * largest(rows, 4, 0.01))) << "]\nunset key\n"
-         << panel(study, 5, 6, 7, true, false, 100.0);
+         << panel_of(study, 5, 6, 7, 100.0);
   place(0.37, 0.105, true);
   script << "set ylabel \"pieces\"\nset yrange [0:" << plot_number(1.05 * largest(rows, 9, 1.0))
          << "]\n"
-         << panel(study, 8, 9, 10, true, false, 1.0) << "unset multiplot\n";
+         << panel_of(study, 8, 9, 10, 1.0) << "unset multiplot\n";
   figure.script = script.str();
+  figure.tables.push_back(std::move(overlaps.table));
   return figure;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/figures/axis_range.hpp"
 #include "compare/figures/method.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/study/sensitivity.hpp"
@@ -97,8 +98,8 @@ std::string front_panel(const Table& table) {
 }
 
 std::string cost_panel(const Table& table) {
-  return "unset ytics\nset key off\nset logscale x\nset xrange [*:*]\nset xtics autofreq\n"
-         "set xlabel \"cost / base\" offset 0,0.4\n" +
+  return "unset ytics\nset key off\nset logscale x\n" + axis_range("x", table, {7}) +
+         "set xtics autofreq\nset xlabel \"cost / base\" offset 0,0.4\n" +
          base_line(1, std::get<double>(table.rows[0][7])) + "plot " +
          dots(table, "column(\"cost_over_base\")", run_style(2), 5) + " notitle\n";
 }

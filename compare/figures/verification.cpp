@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/figures/axis_range.hpp"
 #include "compare/figures/figures.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/study/levels.hpp"
@@ -103,9 +104,11 @@ Figure flow_figure(const KnownFlow& known, const std::vector<FlowLevels>& sequen
   figure.script =
       "set multiplot layout 1,2\nset key above left Left reverse maxcols 3\nset xlabel " +
       plot_label(known.x_axis) + "\nset ylabel " + plot_label(known.y_axis) + "\n" +
-      curve_panel(figure.name, known, sequences) +
+      axis_range("y", figure.tables[0], {3, 4}) + curve_panel(figure.name, known, sequences) +
       "set logscale xy\nset xtics (10, 20, 40, 60, 80)\nset format y \"10^{%T}\"\n"
-      "set xrange [8:100]\nset yrange [*:*]\nset xlabel \"particles over L\"\n"
+      "set xrange [8:100]\n" +
+      axis_range("y", figure.tables[1], {2}) +
+      "set xlabel \"particles over L\"\n"
       "set ylabel \"error\"\n" +
       error_panel(errors, sequences) + "unset multiplot\n";
   return figure;

@@ -85,18 +85,39 @@ void FractionGrid::add(const FrameView& frame) {
     if (const double fraction = frame.fraction(i); fraction > 0.0) add_box(frame.box(i), fraction);
 }
 
+Extent FractionGrid::box_of(std::size_t cell) const {
+  const std::array<std::size_t, 3> k{cell % count_[0], cell / count_[0] % count_[1],
+                                     cell / (count_[0] * count_[1])};
+  Extent box;
+  for (const std::size_t a : axes_) {
+    box.lower[a] = origin_[a] + static_cast<double>(k[a]) * cell_;
+    box.upper[a] = box.lower[a] + cell_;
+  }
+  return box;
+}
+
 double FractionGrid::volume() const {
   return std::pow(cell_, static_cast<double>(axes_.size())) *
          std::accumulate(fraction_.begin(), fraction_.end(), 0.0);
 }
 
-double overlap(const FractionGrid& a, const FractionGrid& b) {
+std::vector<bool> FractionGrid::wet() const {
+  std::vector<bool> cells(size());
+  for (std::size_t i = 0; i < size(); ++i) cells[i] = wet(i);
+  return cells;
+}
+
+double overlap(const FractionGrid& a, const std::vector<bool>& b) {
   std::size_t both = 0, either = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-    both += a.wet(i) && b.wet(i) ? 1 : 0;
-    either += a.wet(i) || b.wet(i) ? 1 : 0;
+    both += a.wet(i) && b[i] ? 1 : 0;
+    either += a.wet(i) || b[i] ? 1 : 0;
   }
   return either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 1.0;
+}
+
+double overlap(const FractionGrid& a, const FractionGrid& b) {
+  return overlap(a, b.wet());
 }
 
 Detached detached(FrameView& frame, const Cohesion& cohesion) {
@@ -139,11 +160,26 @@ Metres overlap_cell(const Run& a, const Run& b) {
   return Metres(length / std::max(1.0, std::floor(length / coarser + 1e-6)));
 }
 
-PatternObservable::PatternObservable(const Run& run, const Run* reference)
+const std::vector<bool>& WaterOfRun::wet(std::size_t index, Metres cell) {
+  const auto [found, added] = known_.try_emplace({index, cell.value()});
+  if (added) {
+    try {
+      view_.show(run_.frames->read(index, {}));
+    } catch (...) {
+      known_.erase(found);
+      throw;
+    }
+    FractionGrid grid(run_.physics, cell);
+    grid.add(view_);
+    found->second = grid.wet();
+  }
+  return found->second;
+}
+
+PatternObservable::PatternObservable(const Run& run, WaterOfRun* reference)
     : run_(run), reference_(reference) {
-  if (reference_ != nullptr && reference_->physics.dimension != run.physics.dimension)
+  if (reference_ != nullptr && reference_->run().physics.dimension != run.physics.dimension)
     reference_ = nullptr;
-  if (reference_ != nullptr) theirs_.emplace(reference_->physics, reference_->spacing);
 }
 
 void PatternObservable::look(FrameView& frame) {
@@ -154,15 +190,14 @@ void PatternObservable::look(FrameView& frame) {
     const auto distance = smallest_distance(particles->position);
     if (distance) sample.smallest_distance = *distance / run_.spacing.value();
   }
-  const auto other =
-      reference_ != nullptr ? frame_at(reference_->frames->times(), sample.time) : std::nullopt;
+  const auto other = reference_ != nullptr
+                         ? frame_at(reference_->run().frames->times(), sample.time)
+                         : std::nullopt;
   if (other) {
-    theirs_->show(reference_->frames->read(*other, {}));
-    const Metres cell = overlap_cell(run_, *reference_);
-    FractionGrid a(reference_->physics, cell), b(reference_->physics, cell);
-    a.add(frame);
-    b.add(*theirs_);
-    sample.overlap = overlap(a, b);
+    const Metres cell = overlap_cell(run_, reference_->run());
+    FractionGrid mine(reference_->run().physics, cell);
+    mine.add(frame);
+    sample.overlap = overlap(mine, reference_->wet(*other, cell));
   }
   history_.push_back(sample);
 }

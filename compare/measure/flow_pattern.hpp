@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ class FractionGrid {
   /// Whether a cell is at least half full.
   [[nodiscard]] bool wet(std::size_t cell) const { return fraction_[cell] >= 0.5; }
   [[nodiscard]] std::size_t size() const { return fraction_.size(); }
+  [[nodiscard]] std::vector<bool> wet() const;
+  /// Of a cell, along FrameView::axes() only, m.
+  [[nodiscard]] Extent box_of(std::size_t cell) const;
   /// Water in all cells, m2 or m3; what lies above the grid's top is not in it.
   [[nodiscard]] double volume() const;
 
@@ -39,6 +43,7 @@ class FractionGrid {
 /// Wet cells of both over wet cells of either one: 1 where the regions are the same, 0 where they
 /// share nothing. Both must be made from the same physics and cell. 1 where neither has water.
 [[nodiscard]] double overlap(const FractionGrid& a, const FractionGrid& b);
+[[nodiscard]] double overlap(const FractionGrid& a, const std::vector<bool>& b);
 
 /// Water that left the main body (the piece with the most water).
 struct Detached {
@@ -83,20 +88,35 @@ using PatternHistory = std::vector<PatternSample>;
 /// The reference's frame at a time; empty where there is none within a tenth of its interval.
 [[nodiscard]] std::optional<std::size_t> frame_at(const std::vector<Seconds>& times, Seconds time);
 
+/// The wet cells of a run's frames. Several runs are compared with one reference, whose frames are
+/// then read once for each size of cells and not once for each run.
+class WaterOfRun {
+ public:
+  /// The run must outlive this.
+  explicit WaterOfRun(const Run& run) : run_(run), view_(run.physics, run.spacing) {}
+  [[nodiscard]] const Run& run() const { return run_; }
+  /// Of frame number `index`, for cells of that edge.
+  [[nodiscard]] const std::vector<bool>& wet(std::size_t index, Metres cell);
+
+ private:
+  const Run& run_;
+  FrameView view_;
+  std::map<std::pair<std::size_t, double>, std::vector<bool>> known_;
+};
+
 /// The pattern of every frame. The overlap is left out where there is no reference, where it has
 /// another dimension, and where it has no frame at that time.
 class PatternObservable : public Observable {
  public:
   /// Both must outlive this; `reference` may be null.
-  PatternObservable(const Run& run, const Run* reference);
+  PatternObservable(const Run& run, WaterOfRun* reference);
   void look(FrameView& frame) override;
   [[nodiscard]] Findings findings() override { return {}; }
   [[nodiscard]] const PatternHistory& history() const { return history_; }
 
  private:
   const Run& run_;
-  const Run* reference_;
-  std::optional<FrameView> theirs_;
+  WaterOfRun* reference_;
   PatternHistory history_;
 };
 

@@ -5,6 +5,10 @@
 #include <vtkNew.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
+#include <vtkVersionMacros.h>
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 2
+#include <vtkUnicodeString.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -31,6 +35,23 @@ constexpr const char* bold_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans-B
 bool has_font() {
   static const bool found = std::filesystem::exists(font) && std::filesystem::exists(bold_font);
   return found;
+}
+
+/// Text (UTF-8) as a picture.
+bool render(vtkTextProperty& look, const std::string& words, vtkImageData& drawn) {
+  std::array<int, 2> extent{};
+  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
+  tools->ScaleToPowerTwoOff();
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 2
+  // Of a std::string VTK 9.1 draws the ASCII letters and nothing for the others.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+  if (vtkUnicodeString::is_utf8(words))
+    return tools->RenderString(&look, vtkUnicodeString::from_utf8(words), 72, &drawn,
+                               extent.data());
+#pragma GCC diagnostic pop
+#endif
+  return tools->RenderString(&look, words, 72, &drawn, extent.data());
 }
 
 /// A picture of red, green and blue, rows from the top.
@@ -65,10 +86,7 @@ class Canvas {
     look->SetBold(bold && !has_font() ? 1 : 0);
     look->SetColor(ink.red / 255.0, ink.green / 255.0, ink.blue / 255.0);
     vtkNew<vtkImageData> drawn;
-    std::array<int, 2> extent{};
-    vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
-    tools->ScaleToPowerTwoOff();
-    if (!tools->RenderString(look, words, 72, drawn, extent.data()))
+    if (!render(*look, words, *drawn))
       throw Error("the film: the text \"" + words + "\" cannot be drawn");
     const std::array<int, 6> range{drawn->GetExtent()[0],
                                    drawn->GetExtent()[1],
@@ -204,9 +222,12 @@ std::size_t write_movie(const std::vector<MoviePanel>& panels, const MovieOption
     begin = std::min(begin, panel.run->frames->times().front());
     last = std::max(last, panel.run->frames->times().back());
   }
+  if (options.end) last = std::min(last, *options.end);
   const double span = (last - begin).value();
   if (!(span > 0.0))
-    throw Error(panels.front().run->path.string() + ": found one frame, expected a film's worth");
+    throw Error(panels.front().run->path.string() + ": found " +
+                (options.end ? "nothing before the end that was asked for" : "one frame") +
+                ", expected a film's worth");
   const double pace = options.pace.value_or(span / usual_length);
   const auto count = static_cast<std::size_t>(std::ceil(span / pace * options.pictures)) + 1;
   const Rectangle view = view_of(all);

@@ -20,9 +20,10 @@ struct MovieOptions {
   std::string title;            ///< over all panels
   bool speed_of_water = false;  ///< colours: |u|/sqrt(2gH) instead of p/(rho g H)
   std::optional<double>
-      pace;           ///< simulated seconds per second; empty: the film takes eight seconds
-  int pictures = 25;  ///< per second
-  int width = 1280;   ///< pixels
+      pace;  ///< simulated seconds per second; empty: the film takes eight seconds
+  std::optional<Seconds> end{};  ///< of the flow; empty: as long as the longest run
+  int pictures = 25;             ///< per second
+  int width = 1280;              ///< pixels
 };
 
 /// Writes a film of the runs side by side, drawn as in the page's viewer: the water, obstacles,

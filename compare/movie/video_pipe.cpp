@@ -58,8 +58,10 @@ std::vector<std::string> words_of(const fs::path& unfinished, const std::string&
   const std::vector<std::string> mp4{"-c:v",     "libx264", "-crf",      "20",
                                      "-pix_fmt", "yuv420p", "-movflags", "+faststart",
                                      "-threads", "2",       "-f",        "mp4"};
-  const std::vector<std::string> gif{
-      "-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse", "-f", "gif"};
+  const std::vector<std::string> gif{"-vf",
+                                     "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]"
+                                     "paletteuse=dither=none:diff_mode=rectangle",
+                                     "-f", "gif"};
   const auto& how = kind == ".gif" ? gif : mp4;
   words.insert(words.end(), how.begin(), how.end());
   words.insert(words.end(), {"-y", "file:" + fs::absolute(unfinished).string()});

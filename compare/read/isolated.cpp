@@ -119,10 +119,9 @@ void send(int descriptor, std::string_view bytes) {
   }
 }
 
-[[noreturn]] void be_the_child(int descriptor, const fs::path& file,
+[[noreturn]] void be_the_child(int descriptor, std::uintmax_t bytes,
                                const std::function<std::string()>& work) {
-  std::error_code ignored;
-  limit_child(fs::file_size(file, ignored));
+  limit_child(bytes);
   std::string answer;
   Sent kind = Sent::result;
   try {
@@ -160,7 +159,10 @@ std::string end_text(int status) {
 
 }  // namespace
 
-std::string in_child(const fs::path& file, const std::function<std::string()>& work) {
+std::string in_child(const fs::path& file, const std::function<std::string()>& work,
+                     std::optional<std::uintmax_t> size) {
+  std::error_code ignored;
+  const std::uintmax_t of_file = size ? *size : fs::file_size(file, ignored);
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error(file.string() + ": no pipe to read it by: " + std::strerror(errno));
@@ -168,7 +170,7 @@ std::string in_child(const fs::path& file, const std::function<std::string()>& w
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
-    be_the_child(ends[1], file, work);
+    be_the_child(ends[1], of_file, work);
   }
   ::close(ends[1]);
   std::string bytes = child < 0 ? "" : all_from(ends[0]);
@@ -187,27 +189,26 @@ std::string in_child(const fs::path& file, const std::function<std::string()>& w
   return bytes;
 }
 
-ParticleTable table_in_child(const fs::path& file, const std::function<ParticleTable()>& work) {
-  const std::string bytes = in_child(file, [&] {
-    const ParticleTable table = work();
-    Packer out;
-    out.put(table.count);
-    out.put(table.points);
-    out.put(table.arrays.size());
-    for (const ParticleArray& array : table.arrays) {
-      out.put(array.name);
-      out.put(array.components);
-      out.put(array.type);
-      out.put(array.values);
-      out.put(array.words.size());
-      for (const std::string& word : array.words) out.put(word);
-    }
-    put_optional(out, table.time);
-    out.put(table.notes.size());
-    for (const std::string& note : table.notes) out.put(note);
-    return out.take();
-  });
-  Unpacker in(bytes);
+namespace {
+
+void put_table(Packer& out, const ParticleTable& table) {
+  out.put(table.count);
+  out.put(table.points);
+  out.put(table.arrays.size());
+  for (const ParticleArray& array : table.arrays) {
+    out.put(array.name);
+    out.put(array.components);
+    out.put(array.type);
+    out.put(array.values);
+    out.put(array.words.size());
+    for (const std::string& word : array.words) out.put(word);
+  }
+  put_optional(out, table.time);
+  out.put(table.notes.size());
+  for (const std::string& note : table.notes) out.put(note);
+}
+
+ParticleTable get_table(Unpacker& in) {
   ParticleTable table;
   table.count = in.get<std::size_t>();
   table.points = in.get<std::vector<double>>();
@@ -224,6 +225,34 @@ ParticleTable table_in_child(const fs::path& file, const std::function<ParticleT
   table.notes.resize(in.get<std::size_t>());
   for (std::string& note : table.notes) note = in.get<std::string>();
   return table;
+}
+
+}  // namespace
+
+ParticleTable table_in_child(const fs::path& file, const std::function<ParticleTable()>& work) {
+  return tables_in_child({file}, [&](const fs::path&) { return work(); }).front();
+}
+
+std::vector<ParticleTable> tables_in_child(
+    const std::vector<fs::path>& files, const std::function<ParticleTable(const fs::path&)>& work) {
+  std::uintmax_t size = 0;
+  std::error_code failed;
+  for (const fs::path& file : files) {
+    const std::uintmax_t own = fs::file_size(file, failed);
+    if (!failed) size += own;
+  }
+  const std::string bytes = in_child(
+      files.front(),
+      [&] {
+        Packer out;
+        for (const fs::path& file : files) put_table(out, work(file));
+        return out.take();
+      },
+      size);
+  Unpacker in(bytes);
+  std::vector<ParticleTable> tables;
+  for (std::size_t i = 0; i < files.size(); ++i) tables.push_back(get_table(in));
+  return tables;
 }
 
 std::vector<FilePart> parts_in_child(const fs::path& file,

@@ -210,6 +210,11 @@ std::vector<FilePart> vtk_parts(const fs::path& file, const SourceOptions& optio
   return {part};
 }
 
+ParticleTable read_vtk_here(const fs::path& file, const ArrayNames& wanted) {
+  require_regular(file);
+  return table_in(file, wanted);
+}
+
 ParticleTable read_vtk(const fs::path& file, const ArrayNames& wanted) {
   require_regular(file);
   const auto read = [&] { return table_in(file, wanted); };

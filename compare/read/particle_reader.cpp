@@ -88,9 +88,11 @@ std::vector<std::string> ParticleSeries::wanted(Fields fields) const {
 
 void ParticleSeries::append(ParticleFrame& frame, const SeriesEntry& entry, const fs::path& file,
                             Fields fields) {
-  const ParticleTable table = read_table(file, entry.part, wanted(fields), options_);
-  for (const std::string& note : table.notes)
-    notes_[note][static_cast<std::size_t>(&entry - entries_.data())] = file.filename().string();
+  const auto index = static_cast<std::size_t>(&entry - entries_.data());
+  const ParticleTable table = entry.files.size() == 1
+                                  ? ahead_.read(entries_, index, wanted(fields), options_)
+                                  : read_table(file, entry.part, wanted(fields), options_);
+  for (const std::string& note : table.notes) notes_[note][index] = file.filename().string();
   // Our frames state their times: files that were swapped show here.
   if (options_.time_stated && table.time) {
     const double expected = frame.time.value();

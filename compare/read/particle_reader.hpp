@@ -9,6 +9,7 @@
 #include "compare/read/frame_watch.hpp"
 #include "compare/read/particle_fields.hpp"
 #include "compare/read/readers.hpp"
+#include "compare/read/tables_ahead.hpp"
 
 namespace surge::compare {
 
@@ -50,6 +51,7 @@ class ParticleSeries : public FrameReader {
   std::map<std::string, std::map<std::size_t, std::string>> notes_;  ///< file by frame, by note
   std::vector<std::string> series_notices_;
   Fields asked_;  ///< so far
+  TablesAhead ahead_;
 };
 
 /// What the numbers in the names and the times of a series tell: gaps, and intervals that differ

@@ -90,5 +90,8 @@ void require_regular(const std::filesystem::path& file);
 [[nodiscard]] std::vector<FilePart> vtk_parts(const std::filesystem::path& file,
                                               const SourceOptions& options);
 [[nodiscard]] ParticleTable read_vtk(const std::filesystem::path& file, const ArrayNames& wanted);
+/// The same in this process, which a damaged XML file may end.
+[[nodiscard]] ParticleTable read_vtk_here(const std::filesystem::path& file,
+                                          const ArrayNames& wanted);
 
 }  // namespace surge::compare

@@ -50,10 +50,9 @@ json write_report(const StudyResult& study, const fs::path& out, std::string& wa
   const fs::path folder = out / "figures";
   fs::create_directories(folder);
   const std::vector<Figure> figures = figures_of(study);
-  for (const Figure& figure : figures) {
-    const std::string said = draw(figure, folder);
-    if (!said.empty()) warnings += figure.name + ": " + said;
-  }
+  const std::vector<std::string> said = draw_all(figures, folder);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (!said[i].empty()) warnings += figures[i].name + ": " + said[i];
   write_text(out / "metrics.json",
              numbers.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
   write_page(study, numbers, figures, out);

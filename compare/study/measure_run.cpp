@@ -30,7 +30,7 @@ const T* add(Pass& pass, std::unique_ptr<T> observable) {
 void add_asked(Pass& pass, MeasuredRun& measured, const MeasureRequest& request) {
   if (request.observables == nullptr) return;
   const ObservableContext context{measured.run, request.front.value_or(FrontOptions{}),
-                                  request.reference};
+                                  request.reference ? &request.reference->run() : nullptr};
   for (const StudyObservable& asked : *request.observables) {
     measured.observed.emplace_back();
     pass.place.emplace_back();

@@ -10,13 +10,13 @@ namespace surge::compare {
 struct MeasureRequest {
   std::optional<FrontOptions> front;  ///< empty: no leading edge
   bool pattern = false;
-  const Run* reference = nullptr;  ///< that the water is compared with; null for the reference
+  WaterOfRun* reference = nullptr;  ///< what the water is compared with; null for the reference
   const std::vector<StudyObservable>* observables = nullptr;
 };
 
-/// Measures all of it in one pass over the run's frames, one in memory at a time; for overlaps the
-/// reference's frame of the same time besides. An observable that fails has its failure in its
-/// findings. Throws surge::Error where the front or the pattern fails.
+/// Measures all of it in one pass over the run's frames, one in memory at a time. An observable
+/// that fails has its failure in its findings. Throws surge::Error where the front or the pattern
+/// fails.
 [[nodiscard]] MeasuredRun measure_for_study(Run run, const MeasureRequest& request);
 
 /// The observables that a study names; of one that names none those that the reference's case

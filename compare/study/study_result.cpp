@@ -8,6 +8,7 @@
 #include "compare/measure/registry.hpp"
 #include "compare/read/recorded.hpp"
 #include "compare/study/identity.hpp"
+#include "compare/study/kept_frames.hpp"
 #include "compare/study/measure_run.hpp"
 #include "compare/study/run_fault.hpp"
 #include "particle/support/error.hpp"
@@ -110,14 +111,18 @@ MeasuredRun measure_reference(StudyResult& result, const fs::path& runs, const F
 }
 
 /// Sets the run's status; gives the measured run where it may stand beside the reference.
-std::optional<MeasuredRun> measure_run(RunResult& result, const StudyResult& study) {
+std::optional<MeasuredRun> measure_run(RunResult& result, const StudyResult& study,
+                                       const StudyFrames& frames) {
   const MeasuredRun& reference = study.measured_runs.front();
   const bool missing = result.status == RunStatus::missing && !result.study.is_files();
   if (missing || !result.readable) return std::nullopt;
   try {
     return guarded(result.study.name, result.folder, [&] {
-      MeasuredRun measured = measure_for_study(open_folder(result.study, result.folder),
-                                               study.request(result, &reference.run));
+      Run run = open_folder(result.study, result.folder);
+      // Those that are shown are looked at again.
+      if (result.study.role == Role::comparison) keep_frames(run, frames.budget);
+      MeasuredRun measured =
+          measure_for_study(std::move(run), study.request(result, frames.reference.get()));
       require_comparable(measured, reference, wall_of(reference.run.physics), result.study);
       return measured;
     });
@@ -248,7 +253,7 @@ std::optional<Seconds> StudyResult::impact_time() const {
   return hit ? std::optional(hit->time) : std::nullopt;
 }
 
-MeasureRequest StudyResult::request(const RunResult& run, const Run* reference_of_pattern) const {
+MeasureRequest StudyResult::request(const RunResult& run, WaterOfRun* reference_of_pattern) const {
   const nlohmann::json::json_pointer distance("/case/method/parameters/collision_distance");
   const bool collides = !run.manifest.contains(distance) || run.manifest.at(distance) != 0.0;
   const Role role = run.study.role;
@@ -306,8 +311,11 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
   // Results point into these vectors, which therefore must not grow beyond what they hold now.
   result.measured_runs.reserve(study.runs.size());
   result.measured_others.reserve(study.runs.size());
-  if (result.has_reference())
+  StudyFrames frames;
+  if (result.has_reference()) {
     result.measured_runs.push_back(measure_reference(result, runs, known));
+    frames.reference = std::make_unique<WaterOfRun>(result.measured_runs.front().run);
+  }
   read_references(result, series_folder);
   for (const auto& name : study.published) {
     PublishedSeries series = read_series(series_file(study, name, series_folder));
@@ -324,7 +332,7 @@ StudyResult collect(const Study& study, const fs::path& runs, const fs::path& se
         take_front(entry, result.measured_runs.front());
       } else if (const RunResult* same = twin(result, entry); same && same->measured && !story) {
         take_front(entry, *same->measured);
-      } else if (auto measured = measure_run(entry, result)) {
+      } else if (auto measured = measure_run(entry, result, frames)) {
         take_front(entry, fronts.emplace_back(std::move(*measured)));
       }
     }

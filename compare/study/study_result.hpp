@@ -75,7 +75,8 @@ struct StudyResult {
   /// What is measured of a run. Its flow pattern is, where it is compared, and where a
   /// publication's statements need it: of levels for their uncertainty, of particles that do not
   /// collide.
-  [[nodiscard]] MeasureRequest request(const RunResult& run, const Run* reference_of_pattern) const;
+  [[nodiscard]] MeasureRequest request(const RunResult& run,
+                                       WaterOfRun* reference_of_pattern) const;
   /// Flow pattern of a measured run.
   [[nodiscard]] const PatternHistory& pattern(const RunResult& run) const {
     return run.measured->pattern;

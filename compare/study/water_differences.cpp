@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "particle/support/error.hpp"
-
 namespace surge::compare {
 
 WetCells wet_cells(const FractionGrid& first, const FractionGrid& second) {
@@ -18,24 +16,6 @@ WetCells wet_cells(const FractionGrid& first, const FractionGrid& second) {
       ++found.only_second;
   }
   return found;
-}
-
-Extent box_of(const FractionGrid& grid, const Physics& physics, Metres cell, std::size_t number) {
-  const auto up = static_cast<std::size_t>(physics.vertical_axis());
-  // As far as the far wall, or, where that is not known, as far as the grid is high.
-  const std::optional<Metres> far = physics.far_wall();
-  const double exact =
-      far ? std::ceil(*far / cell - 1e-6) : std::round(std::sqrt(static_cast<double>(grid.size())));
-  const auto columns = static_cast<std::size_t>(std::max(1.0, exact));
-  if (grid.size() % columns != 0) throw Error("a grid of water whose columns are not known");
-  Extent box;
-  const bool known = physics.tank && std::isfinite(physics.tank->lower[0]);
-  box.lower[0] = (known ? physics.tank->lower[0] : physics.column.lower[0]) +
-                 static_cast<double>(number % columns) * cell.value();
-  box.lower[up] = physics.floor() + static_cast<double>(number / columns) * cell.value();
-  box.upper[0] = box.lower[0] + cell.value();
-  box.upper[up] = box.lower[up] + cell.value();
-  return box;
 }
 
 double WaterDifference::size_of(std::size_t count) const {

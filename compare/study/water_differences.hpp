@@ -30,10 +30,6 @@ struct WaterDifference {
   int dimension = 2;
 };
 
-/// Of a cell of a FractionGrid of a flow in 2D, m.
-[[nodiscard]] Extent box_of(const FractionGrid& grid, const Physics& physics, Metres cell,
-                            std::size_t number);
-
 /// Of a run and a time; empty where one of the two has no frame there.
 [[nodiscard]] std::optional<WaterDifference> water_difference(const StudyResult& study,
                                                               const RunResult& run, Seconds time);

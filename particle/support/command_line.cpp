@@ -38,20 +38,33 @@ void check_subcommand(CLI::App& app, int argc, char** argv) {
               (near.empty() ? "" : ", did you mean " + near + "?") + "; expected one of " + list);
 }
 
-/// Throws where the first option of those that were not expected is nearly one that there is.
-void suggest(CLI::App& app, const std::string& said) {
-  const auto begin = said.find(" --");
+/// Throws where an option is none of the subcommand's and nearly one that there is. What a misspelt
+/// one was meant to give would else be told to be missing.
+void suggest(CLI::App& app, int argc, char** argv) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
-  if (begin == std::string::npos || commands.empty()) return;
-  const std::string option =
-      said.substr(begin + 1, said.find_first_of(" =", begin + 1) - begin - 1);
-  std::vector<std::string> names;
+  if (commands.empty()) return;
+  std::vector<std::string> names{"--help"};
   for (const CLI::Option* known : shown_options(*commands.front()))
     for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
-  const std::string near = nearest(option, names);
-  if (!near.empty())
-    throw Error("found an unknown option " + option + " of " + commands.front()->get_name() +
-                ", did you mean " + near + "?");
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i], option = word.substr(0, word.find('='));
+    if (word == "--") return;
+    if (!option.starts_with("--") || std::find(names.begin(), names.end(), option) != names.end())
+      continue;
+    const std::string near = nearest(option, names);
+    if (!near.empty())
+      throw Error("found an unknown option " + option + " of " + commands.front()->get_name() +
+                  ", did you mean " + near + "?");
+  }
+}
+
+/// What CLI11 says, and where to read on.
+Error usage_error(CLI::App& app, const CLI::ParseError& error) {
+  std::string said = error.what();
+  if (said.ends_with('.')) said.pop_back();
+  std::string command = app.get_name();
+  for (const CLI::App* given : app.get_subcommands()) command += ' ' + given->get_name();
+  return Error(said + " (" + command + " --help tells the usage)");
 }
 
 /// Text that roff prints as it is.
@@ -168,9 +181,10 @@ bool parse_command_line(CLI::App& app, int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ExtrasError& error) {
-    suggest(app, error.what());
-    throw;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) throw;
+    suggest(app, argc, argv);
+    throw usage_error(app, error);
   }
   return true;
 }

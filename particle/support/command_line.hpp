@@ -9,8 +9,8 @@ namespace surge {
 /// Parses the command line of a program with subcommands. A word that is none of them is an error
 /// with the nearest that is. `--print man` and `--print completion`, which packages are made with,
 /// write that to the standard output; false is then returned and nothing else is done. Throws
-/// surge::Error, for a misspelt option too, and CLI::ParseError where help or the version was asked
-/// for or where an option is like none that there is.
+/// surge::Error where the words are not understood, with the option that a misspelt one may mean,
+/// and CLI::ParseError where help or the version was asked for: app.exit() prints that.
 [[nodiscard]] bool parse_command_line(CLI::App& app, int argc, char** argv);
 
 /// The manual page (roff, section 1) of a program: what --help says of it and of each subcommand.

@@ -126,8 +126,38 @@ class Age(unittest.TestCase):
         self.write("report/metrics.json", json.dumps(metrics()))
         with contextlib.redirect_stderr(io.StringIO()) as said:
             self.assertEqual(answers.main([str(self.root / "report")], self.root), 1)
-        self.assertIn("fig7.svg: not there", said.getvalue())
+        self.assertIn("surge-compare: not there, and it makes the film", said.getvalue())
         self.assertEqual((self.root / "README.md").read_text(encoding="utf-8"), README)
+
+    def program(self, size, status=0):
+        """Stands for surge-compare: writes a file of that size to what follows --out."""
+        program = self.root / "surge-compare"
+        program.write_text(f"""#!/bin/bash
+[[ $1 == movie && $2 == s.toml && $4 == r ]] || exit 9
+while [[ $1 != --out ]]; do shift; done
+head -c {size} /dev/zero >"$2"
+echo went wrong >&2
+exit {status}
+""", encoding="utf-8")
+        program.chmod(0o755)
+        return program
+
+    def test_the_film_is_what_surge_compare_makes_if_it_is_small(self):
+        out = self.root / "images/film.gif"
+        answers.film(Path("s.toml"), Path("r"), out, self.program(1000))
+        self.assertEqual(out.stat().st_size, 1000)
+        for program, said in ((self.program, "went wrong"), (None, "found 2000001 bytes, expected at most 2000000")):
+            made = program(1, 1) if program else self.program(2_000_001)
+            with self.assertRaisesRegex(answers.AnswersError, said):
+                answers.film(Path("s.toml"), Path("r"), out, made)
+            self.assertEqual(out.stat().st_size, 1000)
+
+    def test_the_readmes_film_is_there_and_small(self):
+        readme = (SOURCE / "README.md").read_text(encoding="utf-8")
+        self.assertIn(f"]({answers.FILM})", readme)
+        picture = (SOURCE / answers.FILM).read_bytes()
+        self.assertEqual(picture[:6], b"GIF89a")
+        self.assertLessEqual(len(picture), answers.MOST_BYTES)
 
 
 class Folders(unittest.TestCase):

@@ -5,6 +5,8 @@ Usage: command_line_test.py PROGRAM_FOLDER
 
 import os
 import pty
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -74,6 +76,19 @@ class Plot(CommandLine):
             self.assertEqual(struct.unpack(">I", picture[16:20])[0], 1200)
         self.assertNotEqual(*pictures)
 
+    def test_the_program_that_made_it_draws_it_too(self):
+        said = self.call("surge-particle", "plot", "run", "--time", "0.01", "--out", "b.png")[0]
+        self.assertEqual(said, "run: t = 0.01 s, 2 of 3 frames: b.png\n")
+        self.call("surge-compare", "plot", "run", "--time", "0.01", "--out", "c.png")
+        self.assertEqual((self.folder / "b.png").read_bytes(), (self.folder / "c.png").read_bytes())
+        self.assertIn("surge-compare: --time: found 7 s",
+                      self.call("surge-particle", "plot", "run", "--time", "7", code=1)[1])
+        shutil.copy2(PROGRAMS / "surge-particle", self.folder)
+        alone = subprocess.run([self.folder / "surge-particle", "plot", "run"], cwd=self.folder, text=True,
+                               capture_output=True, check=False)
+        self.assertEqual((alone.returncode, alone.stderr.count("\n")), (1, 1))
+        self.assertIn("expected surge-compare there, which draws", alone.stderr)
+
     def test_mistakes_are_told(self):
         said = self.call("surge-compare", "plot", "run", "--time", "7", code=1)[1]
         self.assertEqual(said, "surge-compare: --time: found 7 s, expected a time of run's frames, 0 to 0.02 s\n")
@@ -98,7 +113,34 @@ class Talk(CommandLine):
             said = self.call(program, *words, code=1)[1]
             self.assertIn(f"did you mean {near}?", said)
             self.assertEqual(said.count("\n"), 1)
+        # Which option it was is told, not that the one that it was meant to be is missing.
+        self.assertEqual(self.call("surge-particle", "run", "a.toml", "--ouy", "b", code=1)[1],
+                         "surge-particle: found an unknown option --ouy of run, did you mean --out?\n")
         self.assertIn("zzzzzz", self.call("surge-particle", "check", "a.toml", "--zzzzzz", code=1)[1])
+
+    def test_what_is_missing_is_told_in_one_line(self):
+        for program, words, said in (("surge-particle", ("run", "a.toml"), "--out is required"),
+                                     ("surge-compare", ("report",), "--study is required"),
+                                     ("surge-foam", ("make", "a.toml"), "--out is required")):
+            self.assertEqual(self.call(program, *words, code=1)[1],
+                             f"{program}: {said} ({program} {words[0]} --help tells the usage)\n")
+            self.assertEqual(self.call(program, code=1)[1],
+                             f"{program}: A subcommand is required ({program} --help tells the usage)\n")
+
+    def test_manual_and_completion_name_all_that_help_does(self):
+        for program in ("surge-particle", "surge-compare", "surge-foam"):
+            manual, completion = (self.call(program, "--print", what)[0] for what in ("man", "completion"))
+            manual = manual.replace("\\-", "-")
+            commands = re.findall(r"(?m)^  ([a-z][a-z-]*)  ", self.call(program, "--help")[0].split("Subcommands:")[1])
+            self.assertGreater(len(commands), 2)
+            for command in commands:
+                self.assertIn(f"\n.SS {command}\n", manual)
+                completed = re.search(rf"(?m)^      {command}\) words='(.*)' ;;$", completion)
+                options = set(re.findall(r"(?m)^  (?:-\w,)?(--[a-z-]+)", self.call(program, command, "--help")[0]))
+                self.assertEqual(set(completed[1].split()), options, command)
+                section = manual.split(f"\n.SS {command}\n")[1].split("\n.SS ")[0]
+                for option in options:
+                    self.assertRegex(section, rf"(?m)^\.B .*{option}\b")
 
     def test_colour_is_for_a_terminal(self):
         words = [PROGRAMS / "surge-particle", "check", "gone.toml"]

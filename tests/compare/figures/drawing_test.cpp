@@ -40,5 +40,40 @@ TEST(Drawing, TextsAreNeverCommands) {
   }
 }
 
+Figure figure_of_script(const std::string& name, const std::string& script) {
+  Figure figure;
+  figure.name = name;
+  figure.script = script;
+  return figure;
+}
+
+TEST(Drawing, SeveralFiguresHaveTheirWarningsInTheirOrder) {
+  const TemporaryFolder folder;
+  std::vector<Figure> figures;
+  for (int k = 0; k < 8; ++k)
+    figures.push_back(figure_of_script(
+        "f" + std::to_string(k),
+        k % 2 == 0 ? "plot [0:1] x notitle"
+                   : "print \"said by " + std::to_string(k) + "\"\nplot [0:1] x notitle"));
+  figures[2].missing = "nothing to draw";
+  const std::vector<std::string> said = draw_all(figures, folder.path());
+  ASSERT_EQ(said.size(), figures.size());
+  for (std::size_t k = 0; k < said.size(); ++k) {
+    const std::string stem = "f" + std::to_string(k);
+    for (const char* kind : {".gp", ".svg", ".pdf"})
+      EXPECT_EQ(std::filesystem::exists(folder / (stem + kind)), k != 2) << stem << kind;
+    if (k % 2 == 1)
+      EXPECT_THAT(said[k], HasSubstr("said by " + std::to_string(k)));
+    else
+      EXPECT_EQ(said[k], "");
+  }
+  // The others are drawn before the one that fails is told.
+  figures[5].script = "no command of gnuplot";
+  std::filesystem::remove(folder / "f7.svg");
+  EXPECT_THAT(testing::refusal_of([&] { (void)draw_all(figures, folder.path()); }),
+              HasSubstr("f5.gp: gnuplot failed"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "f7.svg"));
+}
+
 }  // namespace
 }  // namespace surge::compare

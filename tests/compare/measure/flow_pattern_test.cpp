@@ -66,6 +66,33 @@ TEST(FractionGrid, KeepsTheVolumeInThreeDimensions) {
   }
 }
 
+TEST(FractionGrid, TellsTheBoxOfEachCell) {
+  // The tank is 0.58 m wide: 40 columns.
+  const FractionGrid flat(dam_break(), Metres(0.0145));
+  const Extent box = flat.box_of(2 * 40 + 3);
+  EXPECT_NEAR(box.lower[0], 3 * 0.0145, 1e-12);
+  EXPECT_NEAR(box.upper[0], 4 * 0.0145, 1e-12);
+  EXPECT_NEAR(box.lower[1], 2 * 0.0145, 1e-12);
+  EXPECT_NEAR(box.upper[1], 3 * 0.0145, 1e-12);
+  for (const std::size_t up : {1U, 2U}) {
+    // The only wet cell of a full one is where the water is.
+    const Physics physics = dam_break_3d(up);
+    const Vec3 corner{0.03, 0.02, 0.02};
+    const FractionGrid grid =
+        grid_of(particles(lattice(corner, {0.04, 0.03, 0.03}, 0.005)), physics, 0.005, 0.01);
+    std::size_t wet = 0;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      if (!grid.wet(i)) continue;
+      ++wet;
+      for (std::size_t a = 0; a < 3; ++a) {
+        EXPECT_NEAR(grid.box_of(i).lower[a], corner[a], 1e-12);
+        EXPECT_NEAR(grid.box_of(i).upper[a], corner[a] + 0.01, 1e-12);
+      }
+    }
+    EXPECT_EQ(wet, 1U);
+  }
+}
+
 TEST(Overlap, OfARegionMovedByAFifthOfItsWidth) {
   const auto region = [&](double x) {
     return grid_of(particles(lattice({x, 0, 0}, {x + 0.145, 0.29, 0}, 0.0145)), dam_break(), 0.0145,

@@ -9,6 +9,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[3]
+DEJAVU = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 BIN = Path(sys.argv.pop(1)).resolve() / "bin"
 
 
@@ -58,7 +59,7 @@ class Movie(unittest.TestCase):
         self.assertEqual(len(set(hashes)), len(hashes))
         self.assertEqual(len(hashes), 6)
 
-    def test_a_study_shows_its_runs_side_by_side_and_its_texts_are_no_commands(self):
+    def study(self):
         study = self.folder / "study.toml"
         text = ('title = "$(touch pwned) `touch pwned` %{text}"\nreference = "sph"\nstrip_height = 0.0435\n'
                 "snapshot_times = [0.05]\n")
@@ -67,6 +68,40 @@ class Movie(unittest.TestCase):
                      'case = "particle/cases/square_column_obstacle.toml"\n'
                      f'set = ["method.name={method}", "method.preset=paper", "resolution.spacing=0.0145", "time.end=0.1"]\n')
         study.write_text(text)
+        return study
+
+    def test_the_runs_and_the_end_are_chosen(self):
+        out, study = self.folder / "chosen.mp4", self.study()
+        words = [study, "--runs", self.folder / "runs", "--out", out, "--pictures", "10", "--speed", "0.1",
+                 "--width", "640"]
+        heights = []
+        for show in ("mps", "sph"):  # beside the reference, which is sph: two panels, then one
+            done = self.movie(*words, "--show", show, "--end", "0.05")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(int(probe(out)["nb_read_frames"]), 6)
+            heights.append(probe(out)["height"])
+        self.assertLess(*heights)  # one panel is wider, and so higher
+        done = self.movie(*words, "--show", "mps,isph")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1))
+        self.assertIn("--show: found \"isph\", expected names out of mps, sph", done.stderr)
+        done = self.movie(self.run_, "--out", self.folder / "n.mp4", "--show", "mps")
+        self.assertIn("found one run, expected a study", done.stderr)
+
+    def test_greek_letters_are_drawn(self):
+        """The scale's words are "1  p/(rho g H)" with a Greek rho, which is about 8 pixels wide."""
+        out = self.folder / "words.mp4"
+        self.assertEqual(self.movie(self.run_, "--out", out, "--speed", "0.1", "--pictures", "1").returncode, 0)
+        width, height = (int(probe(out)[side]) for side in ("width", "height"))
+        pixels = subprocess.run(["ffmpeg", "-v", "error", "-i", out, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt",
+                                 "gray", "-"], capture_output=True, check=True).stdout
+        rows = [pixels[y * width:(y + 1) * width] for y in range(height - 30, height)]
+        inked = [x for x in range(216, 400) if any(row[x] < 140 for row in rows)]
+        gaps = [b - a for a, b in zip(inked, inked[1:])]
+        self.assertGreater(inked[-1] - inked[0], 56 if Path(DEJAVU).is_file() else 70)
+        self.assertLess(sorted(gaps)[-2], 8)  # no letter is missing between two
+
+    def test_a_study_shows_its_runs_side_by_side_and_its_texts_are_no_commands(self):
+        study = self.study()
         out = self.folder / "a `touch pwned`.mp4"
         done = self.movie(study, "--runs", self.folder / "runs", "--out", out, "--pictures", "2", "--speed", "0.1",
                           "--width", "641")
