@@ -11,7 +11,6 @@ namespace surge {
 namespace {
 
 constexpr std::uint32_t facets_of_a_leaf = 4;
-constexpr int halvings = 4;
 
 double square_to_box(const Box& box, const Point& x) {
   double sum = 0.0;
@@ -275,11 +274,30 @@ bool ClosedSurface::holds(const Point& x) const {
   return nearest(x).distance < 0.0;
 }
 
-double ClosedSurface::share_of(const Box& box) const {
-  return share_of(box, halvings);
+/// Cuts the polygon at one side of the box after the other.
+double ClosedSurface::area_in(const Box& box) const {
+  std::vector<Point> corners = vertices_, left;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const std::size_t a = side / 2;
+    const double sign = side % 2 == 0 ? 1.0 : -1.0;
+    const double at = side % 2 == 0 ? box.lower[a] : box.upper[a];
+    left.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Point &from = corners[i], &to = corners[(i + 1) % corners.size()];
+      const double d0 = sign * (from[a] - at), d1 = sign * (to[a] - at);
+      if (d0 >= 0.0) left.push_back(from);
+      if ((d0 >= 0.0) != (d1 >= 0.0)) left.push_back(plus(from, d0 / (d0 - d1), minus(to, from)));
+    }
+    corners.swap(left);
+  }
+  double area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    area += 0.5 * cross(minus(corners[i], box.lower),
+                        minus(corners[(i + 1) % corners.size()], box.lower))[2];
+  return area;
 }
 
-double ClosedSurface::share_of(const Box& box, int depth) const {
+double ClosedSurface::share_of(const Box& box, int halvings) const {
   Point middle{};
   double square = 0.0, volume = 1.0;
   for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a) {
@@ -288,10 +306,11 @@ double ClosedSurface::share_of(const Box& box, int depth) const {
     square += std::pow(0.5 * (box.upper[a] - box.lower[a]), 2);
     volume *= box.upper[a] - box.lower[a];
   }
+  if (dimension_ == 2) return std::clamp(area_in(box) / volume, 0.0, 1.0);
   const NearestPlace nearest = this->nearest(middle);
   if (nearest.distance >= std::sqrt(square)) return 0.0;
   if (nearest.distance <= -std::sqrt(square)) return 1.0;
-  if (depth == 0) {
+  if (halvings == 0) {
     // Of a box that a plane cuts: its extent along the normal, and how far the middle is behind.
     double extent = 0.0;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a)
@@ -304,7 +323,7 @@ double ClosedSurface::share_of(const Box& box, int depth) const {
     Box half = box;
     for (std::size_t a = 0; a < static_cast<std::size_t>(dimension_); ++a)
       ((part >> a & 1) != 0 ? half.lower : half.upper)[a] = middle[a];
-    sum += share_of(half, depth - 1);
+    sum += share_of(half, halvings - 1);
   }
   return sum / parts;
 }

@@ -58,9 +58,11 @@ class ClosedSurface {
   [[nodiscard]] double distance(const Point& x) const { return nearest(x).distance; }
   [[nodiscard]] bool holds(const Point& x) const;
 
-  /// The part of a box that is inside, 0 to 1, to about 1e-3: the box is halved along its axes four
-  /// times where the surface passes, and what is left counts by the distance of its middle.
-  [[nodiscard]] double share_of(const Box& box) const;
+  /// The part of a box that is inside, 0 to 1. In 2D exact: the area of the polygon that is left
+  /// between the sides of the box (Sutherland & Hodgman 1974, Commun. ACM 17). In 3D the box is
+  /// halved along its axes where the surface passes, so often, and what is left counts by the
+  /// distance of its middle: with four halvings to about 1e-3.
+  [[nodiscard]] double share_of(const Box& box, int halvings = 4) const;
 
  private:
   struct Node {
@@ -74,7 +76,7 @@ class ClosedSurface {
   void find_pseudonormals();
   void require_simple() const;
   [[nodiscard]] Box box_of(std::size_t facet) const;
-  [[nodiscard]] double share_of(const Box& box, int depth) const;
+  [[nodiscard]] double area_in(const Box& box) const;
   struct Found {
     Point place;
     double square = 0.0;  ///< of the distance, m2

@@ -48,6 +48,19 @@ class SurfaceChecker {
   }
 
   void check_overlaps() const {
+    for (std::size_t i = 0; i < case_.obstacles.size(); ++i) {
+      for (std::size_t k = 0; solids_[i].surface != nullptr && k < case_.blocks.size(); ++k) {
+        const FluidBlock& block = case_.blocks[k];
+        if (block.shape != FluidBlock::Shape::ball) continue;
+        Point centre{};
+        for (std::size_t a = 0; a < axes_; ++a)
+          centre[a] = 0.5 * (block.box.lower[a] + block.box.upper[a]);
+        const double radius = 0.5 * (block.box.upper[0] - block.box.lower[0]);
+        if (solids_[i].surface->distance(centre) < radius - 0.05 * case_.spacing)
+          refuse(i, "an overlap with the ball block." + std::to_string(k),
+                 "separate bodies; out of a box of fluid an obstacle cuts its place");
+      }
+    }
     for_each_pair([&](std::size_t i, const Solid& other) {
       if (!overlap(solids_[i], other)) return;
       refuse(i, "an overlap with " + other.name, "separate bodies");

@@ -6,8 +6,8 @@
 namespace surge {
 
 /// Obstacles with a surface lie in no other solid: by more than a twentieth of a spacing, or a
-/// thousandth of their size. Blocks of fluid may: the obstacle cuts its place out of them. Throws
-/// Error. Part of check_case().
+/// thousandth of their size. Boxes of fluid may: the obstacle cuts its place out of them. Balls of
+/// fluid may not. Throws Error. Part of check_case().
 void check_surface_overlaps(const Case& c, const TomlTable& root);
 
 /// Obstacles with a surface are nowhere thinner than `radius` (m), over which particles act on each
