@@ -258,14 +258,19 @@ NearestPlace ClosedSurface::place_of(const Found& found, const Point& x, bool in
 
 NearestPlace ClosedSurface::nearest(const Point& x) const {
   const Found found = *search(x, nullptr);
-  return place_of(found, x, dot(minus(x, found.place), *found.pseudonormal) < 0.0);
+  NearestPlace place = place_of(found, x, dot(minus(x, found.place), *found.pseudonormal) < 0.0);
+  // On a facet the direction is its normal, without the rounding of a short way to it.
+  if (found.pseudonormal == &normals_[found.facet]) place.normal = normals_[found.facet];
+  return place;
 }
 
 std::optional<NearestPlace> ClosedSurface::nearest_of(const Point& x,
                                                       const std::vector<bool>& facets) const {
   const auto found = search(x, &facets);
   if (!found) return std::nullopt;
-  return place_of(*found, x, holds(x));
+  NearestPlace place = place_of(*found, x, holds(x));
+  if (found->pseudonormal == &normals_[found->facet]) place.normal = normals_[found->facet];
+  return place;
 }
 
 bool ClosedSurface::holds(const Point& x) const {

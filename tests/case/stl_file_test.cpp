@@ -90,7 +90,11 @@ TEST_F(StlFile, FilesThatAreNoneAreRefusedInOneLine) {
   EXPECT_THAT(refusal("hello"), HasSubstr("expected an STL file, ascii or binary"));
   EXPECT_THAT(refusal(""), HasSubstr("expected an STL file"));
   EXPECT_THAT(refusal("solid x\nendsolid x\n"), HasSubstr("found 0 triangles"));
-  EXPECT_THAT(refusal(ascii().substr(0, 400)), HasSubstr("the end of the file"));
+  const std::string whole = ascii();
+  EXPECT_THAT(refusal(whole.substr(0, whole.rfind("endsolid"))),
+              HasSubstr("found the end of the file, expected \"facet\" or \"endsolid\""));
+  EXPECT_THAT(refusal(whole.substr(0, whole.rfind("endfacet"))),
+              HasSubstr("found the end of the file, expected \"endfacet\""));
   EXPECT_THAT(refusal(binary().substr(0, 300)), HasSubstr("bad.stl"));
   std::string word = ascii();
   word.replace(word.find("vertex 0"), 8, "vertex x");

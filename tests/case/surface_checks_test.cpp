@@ -80,8 +80,8 @@ TEST(SurfaceChecks, GapsThatHoldNoParticleAreRefused) {
   EXPECT_THAT(polygon_refusal(ring(0.085, 0.025, 0.02, 24)),
               HasSubstr("a gap of 0.005 m to the tank's wall"));
   EXPECT_EQ(polygon_refusal(ring(0.085, 0.02, 0.02, 24)), "");  // it lies on the floor
-  EXPECT_THAT(polygon_refusal("[[0.045, 0.0], [0.08, 0.0], [0.08, 0.05], [0.084, 0.05], [0.084, "
-                              "0.0], [0.12, 0.0], [0.12, 0.09], [0.045, 0.09]]"),
+  EXPECT_THAT(polygon_refusal("[[0.042, 0.0], [0.079, 0.0], [0.079, 0.05], [0.083, 0.05], [0.083, "
+                              "0.0], [0.12, 0.0], [0.12, 0.09], [0.042, 0.09]]"),
               HasSubstr("a gap of 0.004 m to itself"));
 }
 
@@ -92,10 +92,10 @@ TEST(SurfaceChecks, SolidsMayTouchAndNotOverlap) {
   EXPECT_EQ(polygon_refusal(wedge, box), "");
   EXPECT_THAT(polygon_refusal(wedge, deeper),
               HasSubstr("obstacle.0.polygon: found an overlap with obstacle.1"));
-  // The hole of the corner is not part of the box around it.
+  // What is free of the box around the wedge is no part of it: they touch at the inclined face.
   EXPECT_EQ(polygon_refusal(wedge,
-                            "[[obstacle]]\npolygon = [[0.05, 0.04], [0.05, 0.02], [0.07, "
-                            "0.04], [0.07, 0.08], [0.05, 0.08]]\n"),
+                            "[[obstacle]]\npolygon = [[0.05, 0.0], [0.09, 0.04], [0.09, "
+                            "0.06], [0.05, 0.06]]\n"),
             "");
 }
 
