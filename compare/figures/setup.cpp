@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/figures/figures.hpp"
+#include "compare/figures/solids.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/measure/stated.hpp"
 #include "particle/support/bounds.hpp"

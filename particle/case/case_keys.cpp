@@ -31,7 +31,7 @@ constexpr std::array keys{
             "3D: instead, a body by its surface"},
     CaseKey{"[[obstacle]]", "scale", "number; 1", "stl: m per unit of the file"},
     CaseKey{"[[obstacle]]", "vertices", "list of points, m", "3D: the surface in the case file"},
-    CaseKey{"[[obstacle]]", "triangles", "list of 3 numbers", "of vertices, from 0; corners"},
+    CaseKey{"[[obstacle]]", "triangles", "lists of 3 numbers", "of vertices, from 0"},
     CaseKey{"[motion]", "kind", "translation | rotation", "how the tank moves"},
     CaseKey{"[motion]", "direction", "point", "of the translation, or in 3D the axis"},
     CaseKey{"[motion]", "centre", "point, m", "of the rotation"},
