@@ -171,15 +171,17 @@ def obstacles(mesh, cell):
     values = numbers(dictionary(path).get("obstacles", ""))
     boxes = [(values[i : i + 3], values[i + 3 : i + 6]) for i in range(0, len(values), 6)]
     whole = math.prod(b - a for a, b in zip(mesh.lower, mesh.upper))
-    left_out = whole - mesh.volume - (covered(boxes) if boxes else 0.0)
+    cut = covered(boxes) if boxes else 0.0
+    left_out = whole - mesh.volume - cut
     stated = surfaces()["obstacles"]
     bodies = [solid for solid in stated if "polygon" in solid or "vertices" in solid]
     sizes = [size_of(solid, mesh.thickness) for solid in bodies]
+    in_bodies = sum(volume for volume, _ in sizes)
     # Cells are cut out by their middles: half a cell of each that the surface passes, at most.
     room = 1e-5 * whole + sum(surface for _, surface in sizes) * cell
-    if abs(left_out - sum(volume for volume, _ in sizes)) > room:
-        fail(f"{path}: obstacles", f"{sum(v for v, _ in sizes):.6g} m3 besides boxes",
-             f"the {left_out:.6g} m3 that the mesh leaves out")
+    if abs(left_out - in_bodies) > room:
+        fail(f"{path}: obstacles", f"{cut + in_bodies:.6g} m3",
+             f"the {whole - mesh.volume:.6g} m3 that the mesh leaves out")
     plain = iter([{"lower": mesh.point(a), "upper": mesh.point(b)} for a, b in boxes])
     if not bodies:
         return boxes, list(plain), None

@@ -68,6 +68,10 @@ Obstacle read_obstacle(const TomlTable& table, int dimension) {
                         "triangles");
     kind = key;
   }
+  if (kind != "stl" && table.has("scale"))
+    throw table.error("scale", "no stl", "an STL file, whose unit it is");
+  if (kind != "vertices" && table.has("triangles"))
+    throw table.error("triangles", "no vertices", "vertices, which they join");
   if (kind.empty()) return {read_corner(table, "lower", axes), read_corner(table, "upper", axes)};
   if ((kind == "polygon") != (dimension == 2))
     throw table.error(

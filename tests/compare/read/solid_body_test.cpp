@@ -29,7 +29,7 @@ nlohmann::json with_wedge() {
 }
 
 TEST(SolidBodies, PolygonOfAManifestIsRead) {
-  Run run;
+  compare::Run run;
   apply_case(run, with_wedge().at("case"), "manifest.json: case");
   const SolidBody& wedge = run.physics.obstacles->at(0);
   ASSERT_TRUE(wedge.surface);
@@ -40,7 +40,7 @@ TEST(SolidBodies, PolygonOfAManifestIsRead) {
 TEST(SolidBodies, PolygonThatIsNoneIsRefusedWithItsPlace) {
   nlohmann::json manifest = with_wedge();
   manifest["case"]["obstacles"][0]["polygon"] = {{0, 0}, {1, 1}};
-  Run run;
+  compare::Run run;
   EXPECT_THAT(
       testing::error_of([&] { apply_case(run, manifest.at("case"), "manifest.json: case"); }),
       HasSubstr("obstacles.0: found 2 corners"));
@@ -86,7 +86,7 @@ TEST(SolidBodies, OpenSpaceIsWithoutThePolygon) {
 }
 
 TEST(SolidBodies, OutlineIsThePolygonOverTheWidthOfTheColumn) {
-  Run run;
+  compare::Run run;
   run.physics = dam_break();
   run.physics.obstacles->push_back(wedge_body(0.145));
   const Solids solids = solids_of(run);
@@ -104,7 +104,7 @@ TEST(SolidBodies, OutlineIsThePolygonOverTheWidthOfTheColumn) {
 }
 
 TEST(SolidBodies, SectionOfABodyInSpaceIsWhereThePlaneCutsIt) {
-  Run run;
+  compare::Run run;
   run.physics = dam_break();
   run.physics.dimension = 3;
   run.physics.tank = Extent{{0, 0, 0}, {0.58, 1.16, 0.29}};
