@@ -108,7 +108,7 @@ TEST(Solids, InThreeDimensionsAreThoseThatTheMiddlePlaneCuts) {
   run.physics.tank->upper[2] = 0.4;
   run.physics.column.upper[2] = 0.4;
   run.physics.obstacles = std::vector<SolidBody>{{{0.29, 0.0, 0.15}, {0.3, 0.1, 0.25}},
-                                              {{0.4, 0.0, 0.0}, {0.5, 0.1, 0.1}}};
+                                                 {{0.4, 0.0, 0.0}, {0.5, 0.1, 0.1}}};
   const Solids solids = solids_of(run);
   ASSERT_EQ(solids.obstacles.size(), 1U);
   EXPECT_NEAR(solids.obstacles[0].x0, 2.0, 1e-12);
