@@ -51,7 +51,11 @@ class SurfaceChecker {
     for (std::size_t i = 0; i < case_.obstacles.size(); ++i) {
       for (std::size_t k = 0; solids_[i].surface != nullptr && k < case_.blocks.size(); ++k) {
         const FluidBlock& block = case_.blocks[k];
-        if (block.shape != FluidBlock::Shape::ball) continue;
+        if (block.shape != FluidBlock::Shape::ball) {
+          if (solids_[i].surface->share_of(block.box) > 1.0 - 1e-9)
+            refuse(i, "all of block." + std::to_string(k) + " inside it", "room for the fluid");
+          continue;
+        }
         Point centre{};
         for (std::size_t a = 0; a < axes_; ++a)
           centre[a] = 0.5 * (block.box.lower[a] + block.box.upper[a]);

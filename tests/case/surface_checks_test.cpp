@@ -99,6 +99,11 @@ TEST(SurfaceChecks, SolidsMayTouchAndNotOverlap) {
             "");
 }
 
+TEST(SurfaceChecks, BlockThatABodyFillsIsRefused) {
+  EXPECT_THAT(polygon_refusal("[[0.0, 0.0], [0.05, 0.0], [0.05, 0.09], [0.0, 0.09]]"),
+              HasSubstr("obstacle.0.polygon: found all of block.0 inside it"));
+}
+
 TEST(SurfaceChecks, ProbesLieOutsideOrOnTheSurface) {
   std::string text = with_polygon("[[0.06, 0.0], [0.12, 0.0], [0.12, 0.06]]");
   const auto at = [&](const std::string& place) -> std::string {
