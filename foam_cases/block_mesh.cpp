@@ -57,15 +57,16 @@ class BlockMesh {
       out_ << "cellSize        " << number_text(mesh_.cell)
            << ";      // m, for manifest.json\n\nscale           1;      // vertices are in m\n";
     }
+    std::string boxes;
     for (std::size_t i = 0; i < c_.flow.obstacles.size(); ++i) {
+      if (c_.flow.obstacles[i].surface) continue;
       const Box box = in_three_dimensions(c_.flow, mesh_, c_.flow.obstacles[i]);
-      out_ << (i == 0 ? "\n// Left out of the mesh; stated here for manifest.json, in "
-                        "m.\nobstacles\n(\n"
-                      : "")
-           << "    ( " << vector_text(box.lower) << " " << vector_text(box.upper) << " )    // "
-           << obstacle_name(i) << '\n'
-           << (i + 1 == c_.flow.obstacles.size() ? ");\n" : "");
+      boxes += "    ( " + vector_text(box.lower) + " " + vector_text(box.upper) + " )    // " +
+               obstacle_name(i) + '\n';
     }
+    if (!boxes.empty())
+      out_ << "\n// Left out of the mesh; stated here for manifest.json, in m.\nobstacles\n(\n"
+           << boxes << ");\n";
   }
 
   void write_counts() {

@@ -5,9 +5,11 @@
 
 #include "foam_cases/gates.hpp"
 #include "foam_cases/pistons.hpp"
+#include "foam_cases/surfaces.hpp"
 
 #include "particle/case/scales.hpp"
 #include "particle/support/bounds.hpp"
+#include "particle/support/error.hpp"
 
 namespace surge::foam {
 
@@ -49,6 +51,22 @@ std::string padded(const std::string& value) {
   return value + ";" + std::string(11 - std::min<std::size_t>(value.size(), 10), ' ');
 }
 
+/// A place in a cell that is left of those as high as x, or below them.
+Point highest_remaining(const FoamCase& c, const Point& x) {
+  const std::size_t up = c.mesh.up;
+  const double down = (c.mesh.up_is_plus ? -1.0 : 1.0) * c.mesh.cell;
+  for (Point at = x; at[up] > c.mesh.lower(up) && at[up] < c.mesh.upper(up); at[up] += down) {
+    for (std::size_t a = 0; a < static_cast<std::size_t>(c.flow.dimension); ++a) {
+      if (a == up) continue;
+      for (at[a] = c.mesh.lower(a) + 0.25 * c.mesh.cell; at[a] < c.mesh.upper(a);
+           at[a] += c.mesh.cell)
+        if (!is_cut(c, at)) return at;
+      at[a] = x[a];
+    }
+  }
+  throw Error("obstacle: found no cell that is left of the mesh, expected room for the fluid");
+}
+
 /// Where the pressure of a tank without an open side is zero: at its highest cell.
 std::string pressure_reference(const FoamCase& c) {
   for (const Patch& patch : c.boundaries)
@@ -66,6 +84,7 @@ std::string pressure_reference(const FoamCase& c) {
     highest[a] = c.mesh.up_is_plus ? std::min(piece.to, 0.5 * (cell[0] + piece.to))
                                    : std::max(piece.from, 0.5 * (cell[1] + piece.from));
   });
+  if (is_cut(c, highest)) highest = highest_remaining(c, highest);
   // Not between two cells, where the place would be found by chance.
   for (std::size_t a = 0; a < static_cast<std::size_t>(c.flow.dimension); ++a) {
     const auto cell = c.mesh.cell_around(a, highest[a]);
@@ -172,6 +191,7 @@ Files case_files(const FoamCase& c) {
                       {"constant/dynamicMeshDict", dynamic_mesh(c)},
                       {"0.orig/pointDisplacement", point_displacement(c)}};
   for (const Piston& piston : c.pistons) files[piston_file(piston)] = piston_table(c, piston);
+  for (const auto& [path, text] : surface_files(c)) files[path] = text;
   for (const auto& [path, text] : perhaps)
     if (!text.empty()) files[path] = text;
   return files;

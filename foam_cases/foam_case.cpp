@@ -7,6 +7,7 @@
 #include "foam_cases/gates.hpp"
 #include "foam_cases/pistons.hpp"
 #include "foam_cases/size.hpp"
+#include "foam_cases/surfaces.hpp"
 #include "particle/case/case_checks.hpp"
 #include "particle/case/case_file.hpp"
 #include "particle/case/case_keys.hpp"
@@ -61,7 +62,17 @@ bool is_full(const Case& c) {
   double air = volume(c.tank.box);
   for (const FluidBlock& block : c.blocks)
     if (block.shape == FluidBlock::Shape::box) air -= volume(block.box);
-  for (const Box& box : c.obstacles) air -= volume(box);
+  for (const Obstacle& obstacle : c.obstacles) {
+    if (!obstacle.surface) {
+      air -= volume(obstacle);
+      continue;
+    }
+    air -= obstacle.surface->volume();
+    for (const FluidBlock& block : c.blocks)  // whose water it takes the place of
+      if (block.shape == FluidBlock::Shape::box)
+        air += volume(block.box) * obstacle.surface->share_of(block.box);
+  }
+  if (has_surfaces(c)) return std::abs(air) <= 1e-3 * volume(c.tank.box);
   return std::abs(air) <= 1e-9 * volume(c.tank.box);
 }
 
@@ -197,6 +208,18 @@ std::vector<std::string> notes_on(const FoamCase& c) {
         "\": it lies where floor and wall meet, where OpenFOAM records a mean over faces "
         "half a cell apart; a cell, " +
         short_text(c.mesh.cell) + " m, from the wall it is exact");
+  }
+  if (has_surfaces(c.flow))
+    notes.push_back(
+        "obstacles with a surface: cells whose middles they hold are cut out, so that their faces "
+        "are steps of a cell, " +
+        short_text(c.mesh.cell) + " m; manifest.json has the volume that the mesh leaves out");
+  for (const Probe& probe : c.flow.probes) {
+    if (!is_cut(c, probe.position)) continue;
+    notes.push_back(
+        "probe \"" + probe.name +
+        "\": its cell is cut out; the pressure in the middle of the nearest cell of the "
+        "mesh is recorded");
   }
   for (const FluidBlock& block : c.flow.blocks) {
     if (block.shape == FluidBlock::Shape::box) continue;

@@ -5,6 +5,7 @@
 
 #include "foam_cases/case_files.hpp"
 #include "foam_cases/gates.hpp"
+#include "foam_cases/surfaces.hpp"
 #include "particle/case/enum_names.hpp"
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
@@ -14,12 +15,14 @@ namespace surge::foam {
 namespace {
 
 /// A place inside the mesh by a millionth of L: OpenFOAM finds no cell on a wall.
-Point inside(const FoamCase& c, Point x) {
+Point inside(const FoamCase& c, const Probe& probe) {
+  Point x = probe.position;
   const double step = 1e-6 * c.settings.length;
   if (c.flow.dimension == 2) x[2] = 0.5 * (c.mesh.lower(2) + c.mesh.upper(2));
   for (std::size_t a = 0; a < static_cast<std::size_t>(c.flow.dimension); ++a)
     x[a] = std::clamp(x[a], c.mesh.lower(a) + step, c.mesh.upper(a) - step);
-  for (const Box& obstacle : c.flow.obstacles) {
+  for (const Obstacle& obstacle : c.flow.obstacles) {
+    if (obstacle.surface) continue;
     const Box box = in_three_dimensions(c.flow, c.mesh, obstacle);
     // Out through the face that it lies on.
     double deepest = 0.0;
@@ -37,7 +40,7 @@ Point inside(const FoamCase& c, Point x) {
     }
     if (in) x[axis] = plus ? box.upper[axis] + step : box.lower[axis] - step;
   }
-  return x;
+  return in_remaining_cell(c, x, "probe \"" + probe.name + "\"");
 }
 
 std::string probe_text(const FoamCase& c, const Probe& probe) {
@@ -53,7 +56,7 @@ std::string probe_text(const FoamCase& c, const Probe& probe) {
          "        probe           " +
          quoted_text(probe.name) + ";   // its name in manifest.json\n        position        " +
          vector_text(probe.position) + ";\n        probeLocations  ( " +
-         vector_text(inside(c, probe.position)) + " );\n    }\n";
+         vector_text(inside(c, probe)) + " );\n    }\n";
 }
 
 /// Name of the cells that a gauge looks at.
@@ -77,6 +80,21 @@ Box column(const FoamCase& c, const Gauge& gauge) {
   return box;
 }
 
+/// Height (m) of what is left of a piece of a column where surfaces are cut out.
+double open_part(const FoamCase& c, const Box& column, const Piece& piece) {
+  if (!has_surfaces(c.flow)) return piece.to - piece.from;
+  Point x{};
+  for (std::size_t a = 0; a < 3; ++a) x[a] = column.lower[a] + 1e-3 * c.mesh.cell;
+  double height = 0.0;
+  for (double from = piece.from; from < piece.to - 1e-6 * c.mesh.cell;) {
+    x[c.mesh.up] = from + 1e-3 * c.mesh.cell;
+    const double to = c.mesh.cell_around(c.mesh.up, x[c.mesh.up])[1];
+    if (!is_cut(c, x)) height += to - from;
+    from = to;
+  }
+  return height;
+}
+
 /// Height (m) of a column of cells, without obstacles.
 double open_height(const FoamCase& c, const Box& column) {
   Place place{};
@@ -89,7 +107,7 @@ double open_height(const FoamCase& c, const Box& column) {
   for (std::size_t k = 0; k < c.mesh.count(c.mesh.up); ++k) {
     place[c.mesh.up] = k;
     const Piece& piece = c.mesh.axes[c.mesh.up][k];
-    if (!c.mesh.is_solid(place)) height += piece.to - piece.from;
+    if (!c.mesh.is_solid(place)) height += open_part(c, column, piece);
   }
   return height;
 }

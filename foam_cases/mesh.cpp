@@ -71,7 +71,9 @@ class Builder {
         f(case_.blocks[i].box.lower[a], case_.blocks[i].box.upper[a], "block." + std::to_string(i));
     }
     for (std::size_t i = 0; i < case_.obstacles.size(); ++i)
-      f(case_.obstacles[i].lower[a], case_.obstacles[i].upper[a], "obstacle." + std::to_string(i));
+      if (!case_.obstacles[i].surface)  // cells are cut out of the mesh afterwards
+        f(case_.obstacles[i].lower[a], case_.obstacles[i].upper[a],
+          "obstacle." + std::to_string(i));
     for (const MovingWall& wall : case_.moving_walls)
       f(wall.box.lower[a], wall.box.upper[a], wall.name);
   }
@@ -193,8 +195,8 @@ class Builder {
     mesh_.solid.assign(mesh_.count(0) * mesh_.count(1) * mesh_.count(2), false);
     mesh_.for_each_place([&](const Place& place) {
       const Point x = mesh_.middle(place);
-      for (const Box& box : case_.obstacles) {
-        bool inside = true;
+      for (const Obstacle& box : case_.obstacles) {
+        bool inside = !box.surface;
         for (std::size_t a = 0; a < dimension_; ++a)
           inside = inside && x[a] > box.lower[a] && x[a] < box.upper[a];
         if (inside) mesh_.solid[mesh_.index(place)] = true;

@@ -37,8 +37,8 @@ Patch::Kind kind_of(const Case& c, std::size_t side) {
 /// The obstacle that fills a solid piece.
 std::size_t obstacle_at(const Case& c, const Point& x) {
   for (std::size_t i = 0; i < c.obstacles.size(); ++i) {
-    const Box& box = c.obstacles[i];
-    bool inside = true;
+    const Obstacle& box = c.obstacles[i];
+    bool inside = !box.surface;
     for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
       inside = inside && x[a] > box.lower[a] && x[a] < box.upper[a];
     if (inside) return i;
@@ -105,8 +105,14 @@ std::vector<Patch> patches(const Case& c, const Mesh& mesh, const Vertices& vert
       }
     }
   });
-  // What stands against a wall along its whole length, or between others, has no face.
-  std::erase_if(all, [](const Patch& patch) { return patch.faces.empty(); });
+  // What stands against a wall along its whole length, or between others, has no face. Cutting
+  // gives those with a surface theirs.
+  const auto gets_faces = [&](const Patch& patch) {
+    for (std::size_t i = 0; i < c.obstacles.size(); ++i)
+      if (c.obstacles[i].surface && patch.name == obstacle_name(i)) return true;
+    return false;
+  };
+  std::erase_if(all, [&](const Patch& patch) { return patch.faces.empty() && !gets_faces(patch); });
   if (c.dimension == 2) all.push_back({"frontAndBack", Patch::Kind::empty, {}, {}});
   return all;
 }

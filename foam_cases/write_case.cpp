@@ -52,9 +52,12 @@ void write_case(const Files& files, const fs::path& folder, bool over) {
       // What only the earlier case had would be taken for part of this one.
       for (const char* name :
            {"system/setExprFieldsDict", "system/topoSetDict", "constant/fvOptions",
-            "constant/tankMotion", "constant/hRef", "constant/movingWalls",
-            "constant/dynamicMeshDict", "0.orig/pointDisplacement"})
+            "constant/tankMotion", "constant/obstacles.json", "constant/hRef",
+            "constant/movingWalls", "constant/dynamicMeshDict", "0.orig/pointDisplacement"})
         fs::remove(folder / name);
+      fs::remove_all(folder / "constant/triSurface");
+      for (const auto& entry : fs::directory_iterator(folder / "system"))
+        if (entry.path().filename().string().starts_with("cutDict.")) fs::remove(entry.path());
       write_files(files, folder);
       return;
     }

@@ -170,6 +170,9 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
         figure.script += "set label 4 " + plot_label(broken_label(runs[c]->label())) +
                          " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
       for (const Rectangle& box : solids.obstacles) figure.script += object(box, "#8a8a8a");
+      for (const Outline& outline : solids.outlines)
+        figure.script += outline_object(
+            outline, "front fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
       for (const Solids::MovingWall& wall : solids.walls)
         figure.script += object(wall.at(times[r]), "#e69f00");
       const DifferencePanel& panel = rows[r][c];

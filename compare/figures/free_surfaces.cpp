@@ -149,6 +149,9 @@ Figure surface_figure(const StudyResult& study) {
     figure.script +=
         column == 0 ? "set ylabel \"{/:Italic y}/{/:Italic L}\" offset 0.5\n" : "unset ylabel\n";
     for (const Rectangle& one : solids.obstacles) figure.script += box(one, "#8a8a8a");
+    for (const Outline& outline : solids.outlines)
+      figure.script +=
+          outline_object(outline, "fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
     for (const Solids::MovingWall& wall : solids.walls)
       figure.script += box(wall.at(panel.time), "#e69f00");
     figure.script +=

@@ -61,6 +61,22 @@ void Image::rectangle(double x0, double x1, double y0, double y1, Colour colour,
   }
 }
 
+void Image::polygon(const std::vector<std::array<double, 2>>& corners, Colour colour) {
+  std::vector<double> crossings;
+  for (std::size_t row = 0; row < rows_; ++row) {
+    const double y = y1_ - (double(row) + 0.5) / pixels_;
+    crossings.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto& [ax, ay] = corners[i];
+      const auto& [bx, by] = corners[(i + 1) % corners.size()];
+      if ((ay > y) != (by > y)) crossings.push_back(ax + (y - ay) / (by - ay) * (bx - ax));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+      rectangle(crossings[i], crossings[i + 1], y - 0.5 / pixels_, y + 0.5 / pixels_, colour, 1.0);
+  }
+}
+
 std::array<std::uint8_t, 4> Image::at(double x, double y) const {
   const auto column = std::min(static_cast<std::size_t>((x - x0_) * pixels_), columns_ - 1);
   const auto row = std::min(static_cast<std::size_t>((y1_ - y) * pixels_), rows_ - 1);

@@ -21,6 +21,8 @@ class Image {
   void disc(double x, double y, double radius, Colour colour);
   /// Lays a colour over a rectangle; pixels count where their centre is inside, so that adjoining
   /// rectangles neither overlap nor leave a gap.
+  /// Corners (x, y) of a closed line, filled, row by row of pixels.
+  void polygon(const std::vector<std::array<double, 2>>& corners, Colour colour);
   void rectangle(double x0, double x1, double y0, double y1, Colour colour, double opacity);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }

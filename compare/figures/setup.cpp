@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/figures/figures.hpp"
+#include "compare/figures/solids.hpp"
 #include "compare/figures/style.hpp"
 #include "compare/measure/stated.hpp"
 #include "particle/support/bounds.hpp"
@@ -28,7 +29,7 @@ class View {
       for (const WaterBody& body : physics_.blocks.value_or(std::vector<WaterBody>{}))
         needed = std::max(needed, body.box.upper[up_] - lower_[up_]);
       needed = std::max(needed, physics_.column.upper[up_] - lower_[up_]);
-      for (const Extent& box : physics_.obstacles.value_or(std::vector<Extent>{}))
+      for (const SolidBody& box : physics_.obstacles.value_or(std::vector<SolidBody>{}))
         needed = std::max(needed, box.upper[up_] - lower_[up_]);
       cut_ = upper_[up_] > lower_[up_] + 1.35 * needed;
       if (cut_) upper_[up_] = lower_[up_] + 1.35 * needed;
@@ -90,11 +91,33 @@ class View {
     return text;
   }
 
+  /// A polygon; of a surface in space all that can be seen, triangle by triangle, or its box where
+  /// they are many.
+  [[nodiscard]] std::string body(const ClosedSurface& surface, const std::string& style) const {
+    constexpr std::size_t most_drawn = 500;
+    if (surface.facets().size() > most_drawn && surface.dimension() == 3)
+      return rectangle(surface.bounds().lower, surface.bounds().upper, style);
+    const auto corner = [&](std::uint32_t v) {
+      const Point& x = surface.vertices()[v];
+      return std::array<double, 2>{x[0], x[up_]};
+    };
+    std::string text;
+    Outline outline;
+    for (const ClosedSurface::Facet& f : surface.facets()) {
+      outline.push_back(corner(f[0]));
+      if (surface.dimension() == 2) continue;
+      text += outline_object({corner(f[0]), corner(f[1]), corner(f[2])},
+                             "fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#8a8a8a\" lw 0.5");
+      outline.clear();
+    }
+    return outline.empty() ? text : outline_object(outline, style);
+  }
+
   [[nodiscard]] std::string solids() const {
     std::string text;
-    for (const Extent& box : physics_.obstacles.value_or(std::vector<Extent>{}))
-      text += rectangle(box.lower, box.upper,
-                        "fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 1");
+    const std::string grey = "fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 1";
+    for (const SolidBody& box : physics_.obstacles.value_or(std::vector<SolidBody>{}))
+      text += box.surface ? body(*box.surface, grey) : rectangle(box.lower, box.upper, grey);
     if (!physics_.moving_walls || !physics_.moving_walls->is_array()) return text;
     for (const nlohmann::json& wall : *physics_.moving_walls) {
       if (!wall.contains("lower") || !wall.contains("upper")) continue;
@@ -162,6 +185,13 @@ std::string size_of(const Extent& box, const std::vector<std::size_t>& axes) {
 }
 
 /// What the drawing shows, in words with numbers.
+std::string shape_of(const SolidBody& solid) {
+  if (!solid.surface) return {};
+  const std::size_t count = solid.surface->facets().size();
+  return solid.surface->dimension() == 2 ? "of " + std::to_string(count) + " edges within "
+                                         : "of " + std::to_string(count) + " triangles within ";
+}
+
 std::vector<std::string> legend_of(const Run& run, const std::vector<StatedPlace>& marked,
                                    std::size_t probes) {
   const Physics& physics = run.physics;
@@ -170,9 +200,9 @@ std::vector<std::string> legend_of(const Run& run, const std::vector<StatedPlace
   if (physics.tank) lines.push_back("tank " + size_of(*physics.tank, view.axes()));
   for (const WaterBody& body : physics.blocks.value_or(std::vector<WaterBody>{}))
     lines.push_back("water " + size_of(body.box, view.axes()));
-  for (const Extent& box : physics.obstacles.value_or(std::vector<Extent>{}))
-    lines.push_back("obstacle " + size_of(box, view.axes()) + " from x = " + metres(box.lower[0]) +
-                    " m");
+  for (const SolidBody& box : physics.obstacles.value_or(std::vector<SolidBody>{}))
+    lines.push_back("obstacle " + shape_of(box) + size_of(box, view.axes()) +
+                    " from x = " + metres(box.lower[0]) + " m");
   lines.push_back("g = " + fixed_text(physics.gravity_magnitude(), 2) + " m/s²");
   if (physics.motion && !physics.motion->is_null())
     lines.push_back("the tank moves: " + physics.motion->value("kind", "") + ", " +

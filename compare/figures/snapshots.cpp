@@ -114,6 +114,9 @@ std::string solid_objects(const SnapshotPanel& panel) {
             "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
   };
   for (const Rectangle& box : panel.solids.obstacles) add(box, "#8a8a8a");
+  for (const Outline& outline : panel.solids.outlines)
+    text += outline_object(outline,
+                           "front fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
   for (const Solids::MovingWall& wall : panel.solids.walls) add(wall.at(panel.time), "#e69f00");
   return text;
 }

@@ -1,7 +1,11 @@
 #include "compare/figures/solids.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+
+#include "particle/support/table.hpp"
 
 namespace surge::compare {
 
@@ -67,7 +71,83 @@ std::optional<Solids::MovingWall> moving_wall_of(const PictureScale& scale, cons
   }
 }
 
+/// The closed lines in which the plane of the picture cuts a surface. Each triangle that it cuts
+/// gives a segment from one of its edges to another, and each edge that it cuts has two triangles.
+std::vector<Outline> section(const PictureScale& scale, const ClosedSurface& surface) {
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  const auto above = [&](std::uint32_t v) {
+    return surface.vertices()[v][scale.depth] > scale.middle;
+  };
+  std::map<Edge, Edge> next;  // from where the surface rises through the plane to where it sinks
+  for (const ClosedSurface::Facet& f : surface.facets()) {
+    std::optional<Edge> rises, sinks;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = f[k], b = f[(k + 1) % 3];
+      if (!above(a) && above(b)) rises = {std::min(a, b), std::max(a, b)};
+      if (above(a) && !above(b)) sinks = {std::min(a, b), std::max(a, b)};
+    }
+    if (rises && sinks) next[*rises] = *sinks;
+  }
+  std::vector<Outline> outlines;
+  while (!next.empty()) {
+    Outline outline;
+    for (auto at = next.begin(); at != next.end();) {
+      const Point &a = surface.vertices()[at->first.first],
+                  &b = surface.vertices()[at->first.second];
+      const double t = (scale.middle - a[scale.depth]) / (b[scale.depth] - a[scale.depth]);
+      outline.push_back({scale.x(a[0] + t * (b[0] - a[0])),
+                         scale.y(a[scale.up] + t * (b[scale.up] - a[scale.up]))});
+      const Edge to = at->second;
+      next.erase(at);
+      at = next.find(to);
+    }
+    outlines.push_back(std::move(outline));
+  }
+  return outlines;
+}
+
+void add_surface(const PictureScale& scale, const ClosedSurface& surface, Solids& solids) {
+  if (surface.dimension() == 2) {
+    Outline outline;
+    for (const Point& x : surface.vertices())
+      outline.push_back({scale.x(x[0]), scale.y(x[scale.up])});
+    solids.outlines.push_back(std::move(outline));
+    return;
+  }
+  for (Outline& outline : section(scale, surface)) solids.outlines.push_back(std::move(outline));
+  std::vector<double> corners;
+  for (const ClosedSurface::Facet& f : surface.facets())
+    for (const std::uint32_t v : f) {
+      const Point& x = surface.vertices()[v];
+      corners.insert(corners.end(), {scale.x(x[0]), scale.y(x[scale.up]), scale.z(x[scale.depth])});
+    }
+  solids.surfaces.push_back(std::move(corners));
+}
+
 }  // namespace
+
+bool is_near(const Outline& outline, double x, double y, double margin) {
+  bool inside = false;
+  double square = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto& [ax, ay] = outline[i];
+    const auto& [bx, by] = outline[(i + 1) % outline.size()];
+    if ((ay > y) != (by > y) && x < ax + (y - ay) / (by - ay) * (bx - ax)) inside = !inside;
+    const double length = (bx - ax) * (bx - ax) + (by - ay) * (by - ay);
+    const double along = (x - ax) * (bx - ax) + (y - ay) * (by - ay);
+    const double t = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+    square =
+        std::min(square, std::pow(x - ax - t * (bx - ax), 2) + std::pow(y - ay - t * (by - ay), 2));
+  }
+  return inside || square < margin * margin;
+}
+
+std::string outline_object(const Outline& outline, const std::string& style) {
+  std::string text = "set object polygon from ";
+  for (const auto& [x, y] : outline) text += plot_number(x) + "," + plot_number(y) + " to ";
+  return text + plot_number(outline.front()[0]) + "," + plot_number(outline.front()[1]) + " " +
+         style + "\n";
+}
 
 PictureScale::PictureScale(const Run& run)
     : x_origin(run.physics.surge_direction() > 0.0 ? run.physics.column.lower[0]
@@ -108,7 +188,11 @@ Solids solids_of(const Run& run) {
     for (const std::string& axis : *physics.periodic)
       for (const char* side : {"-", "+"}) solids.open.insert(axis + side);
   if (physics.obstacles)
-    for (const Extent& box : *physics.obstacles) {
+    for (const SolidBody& box : *physics.obstacles) {
+      if (box.surface) {
+        add_surface(scale, *box.surface, solids);
+        continue;
+      }
       solids.blocks.push_back({rectangle_of(scale, box), depth_of(scale, box)});
       if (is_cut(scale, box)) solids.obstacles.push_back(solids.blocks.back().plane);
     }

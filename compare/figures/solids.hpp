@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -35,6 +36,15 @@ struct DepthRange {
   double from = 0.0, to = 0.0;
 };
 
+/// The edge of a body in the plane of a picture: a closed line of corners, over L.
+using Outline = std::vector<std::array<double, 2>>;
+
+/// Whether a place lies inside an outline or less than `margin` from it.
+[[nodiscard]] bool is_near(const Outline& outline, double x, double y, double margin);
+
+/// gnuplot's object of it; `style` is what follows the corners.
+[[nodiscard]] std::string outline_object(const Outline& outline, const std::string& style);
+
 /// What stands still and what moves in the plane of a run's pictures.
 struct Solids {
   struct MovingWall {
@@ -51,10 +61,13 @@ struct Solids {
     Rectangle plane;
     DepthRange depth;
   };
-  std::optional<Rectangle> tank;  ///< sides that are not known are not finite
-  std::set<std::string> open;     ///< sides without a wall: "x-" to "z+"
-  std::vector<Rectangle> obstacles;
-  std::vector<Block> blocks;  ///< all obstacles, those too that the plane does not cut
+  std::optional<Rectangle> tank;     ///< sides that are not known are not finite
+  std::set<std::string> open;        ///< sides without a wall: "x-" to "z+"
+  std::vector<Rectangle> obstacles;  ///< boxes
+  std::vector<Outline> outlines;     ///< of obstacles with a surface; in 3D where the plane cuts it
+  std::vector<Block> blocks;         ///< all boxes, those too that the plane does not cut
+  /// Surfaces of obstacles in 3D: corners of triangles, x, up and depth in turn, over L.
+  std::vector<std::vector<double>> surfaces;
   DepthRange tank_depth{};
   std::vector<MovingWall> walls;
   /// Moving walls whose law the run does not state in a way that is known: not drawn.

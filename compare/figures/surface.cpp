@@ -94,6 +94,8 @@ bool is_free(const Solids& solids, Seconds time, double x, double y, double spac
   if (solids.tank && !is_within(*solids.tank, x, y, 1e-9)) return false;
   for (const Rectangle& box : solids.obstacles)
     if (is_within(box, x, y, spacing)) return false;
+  for (const Outline& outline : solids.outlines)
+    if (is_near(outline, x, y, spacing)) return false;
   for (const Solids::MovingWall& wall : solids.walls)
     if (is_within(wall.at(time), x, y, spacing)) return false;
   return true;

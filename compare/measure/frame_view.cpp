@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace surge::compare {
 namespace {
@@ -95,6 +96,32 @@ double FrameView::pressure(std::size_t i) const {
   return cell_array(*mesh(), "p")->GetComponent(static_cast<vtkIdType>(i), 0);
 }
 
+const std::vector<std::pair<Extent, double>>& FrameView::surface_boxes() {
+  if (has_surface_boxes_) return surface_boxes_;
+  has_surface_boxes_ = true;
+  for (const SolidBody& body : physics_.obstacles.value_or(std::vector<SolidBody>{})) {
+    if (!body.surface) continue;
+    Extent at;
+    const std::function<void(std::size_t)> along = [&](std::size_t k) {
+      if (k == axes_.size()) {
+        const double share = body.surface->share_of({at.lower, at.upper}, 2);
+        if (share > 0.0) surface_boxes_.emplace_back(at, share);
+        return;
+      }
+      const std::size_t a = axes_[k];
+      const double count = std::max(1.0, std::ceil((body.upper[a] - body.lower[a]) / spacing_));
+      const double size = (body.upper[a] - body.lower[a]) / count;
+      for (double i = 0.0; i < count; ++i) {
+        at.lower[a] = body.lower[a] + i * size;
+        at.upper[a] = at.lower[a] + size;
+        along(k + 1);
+      }
+    };
+    along(0);
+  }
+  return surface_boxes_;
+}
+
 double FrameView::all_water() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < size(); ++i) sum += volume(i);
@@ -104,11 +131,18 @@ double FrameView::all_water() const {
 bool FrameView::stands(const Vec3& x, double reach) const {
   if (x[up_] <= physics_.floor() + reach) return true;
   if (!physics_.obstacles) return false;
-  return std::any_of(physics_.obstacles->begin(), physics_.obstacles->end(), [&](const Extent& o) {
-    for (const std::size_t a : axes_)
-      if (a != up_ && (x[a] < o.lower[a] || x[a] > o.upper[a])) return false;
-    return x[up_] >= o.upper[up_] - 0.5 * spacing_ && x[up_] <= o.upper[up_] + reach;
-  });
+  return std::any_of(
+      physics_.obstacles->begin(), physics_.obstacles->end(), [&](const SolidBody& o) {
+        if (o.surface) {
+          Point place = x;
+          if (physics_.dimension == 2) place[2] = 0.0;
+          const NearestPlace near = o.surface->nearest(place);
+          return std::abs(near.distance) <= reach && near.normal[up_] > 0.0;
+        }
+        for (const std::size_t a : axes_)
+          if (a != up_ && (x[a] < o.lower[a] || x[a] > o.upper[a])) return false;
+        return x[up_] >= o.upper[up_] - 0.5 * spacing_ && x[up_] <= o.upper[up_] + reach;
+      });
 }
 
 const std::vector<std::uint8_t>& FrameView::settled() {

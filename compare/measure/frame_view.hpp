@@ -67,6 +67,9 @@ class FrameView {
   /// drops in the air. A cell belongs to a piece that has one of its corners.
   [[nodiscard]] const std::vector<std::uint8_t>& settled();
 
+  /// Obstacles with a surface as boxes about a spacing wide, each with the part that is solid.
+  [[nodiscard]] const std::vector<std::pair<Extent, double>>& surface_boxes();
+
   /// Of particles.
   [[nodiscard]] const Pieces& pieces(double linking_length);
   /// Of a mesh.
@@ -78,6 +81,8 @@ class FrameView {
 
  private:
   [[nodiscard]] bool stands(const Vec3& x, double reach) const;
+  std::vector<std::pair<Extent, double>> surface_boxes_;
+  bool has_surface_boxes_ = false;
 
   Physics physics_;
   double spacing_;

@@ -73,13 +73,15 @@ void for_each_open(FrameView& view, double top,
     if (!std::isfinite(tank.upper[a])) tank.upper[a] = water.upper[a];
   }
   action(tank, 1.0);
-  for (Extent solid : view.physics().obstacles.value_or(std::vector<Extent>{})) {
+  for (SolidBody solid : view.physics().obstacles.value_or(std::vector<SolidBody>{})) {
+    if (solid.surface) continue;
     for (const std::size_t a : view.axes()) {
       solid.lower[a] = std::max(solid.lower[a], tank.lower[a]);
       solid.upper[a] = std::min(solid.upper[a], tank.upper[a]);
     }
     if (shared_volume(solid, tank, view.axes()) > 0.0) action(solid, -1.0);
   }
+  for (const auto& [box, share] : view.surface_boxes()) action(box, -share);
 }
 
 bool is_inside(FrameView& view, const Vec3& place) {

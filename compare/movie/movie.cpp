@@ -179,6 +179,7 @@ Image painted(const Shown& shown, const Shown& first, Seconds time, const Rectan
     image.rectangle(r.x0, r.x1, r.y0, r.y1, colour, 1.0);
   };
   for (const Rectangle& one : shown.solids.obstacles) box(one, solid);
+  for (const Outline& outline : shown.solids.outlines) image.polygon(outline, solid);
   for (const Solids::MovingWall& wall : shown.solids.walls) box(wall.at(time), moving);
   for (const Segment& s : first.surface) paint_line(image, s, 3.4, {255, 255, 255});
   for (const Segment& s : first.surface) paint_line(image, s, 1.8, {0, 0, 0});

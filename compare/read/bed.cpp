@@ -87,7 +87,7 @@ double bed_beyond(const Physics& physics, std::size_t column) {
     patches.push_back(patch_of(box, across, plane));
   }
   if (!depth) return 0.0;
-  for (const Extent& box : physics.obstacles.value_or(std::vector<Extent>{}))
+  for (const SolidBody& box : physics.obstacles.value_or(std::vector<SolidBody>{}))
     patches.push_back(patch_of(box, across, plane));
   return cover(patches, open) ? *depth : 0.0;
 }

@@ -57,6 +57,8 @@ class Entry {
 
   [[nodiscard]] Extent extent() const { return {at("lower").vector(), at("upper").vector()}; }
 
+  [[nodiscard]] const std::string& place() const { return place_; }
+
   [[noreturn]] void fail(const std::string& expected) const {
     throw Error(place_ + ": " + json_shown(value_) + " found, " + expected + " expected");
   }
@@ -71,6 +73,37 @@ class Entry {
   const json& value_;
   std::string place_;
 };
+
+std::vector<Point> points_of(const Entry& list, std::size_t dimension) {
+  std::vector<Point> points(list.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t a = 0; a < dimension; ++a) points[i][a] = list.at(i).at(a).number();
+  return points;
+}
+
+/// A box, or a body by its polygon, or by its vertices and triangles.
+SolidBody solid_of(const Entry& entry) {
+  const bool plane = entry.has("polygon");
+  if (!plane && !entry.has("vertices")) return entry.extent();
+  try {
+    if (plane) return SolidBody(ClosedSurface::polygon(points_of(entry.at("polygon"), 2)));
+    std::vector<Point> vertices = points_of(entry.at("vertices"), 3);
+    const Entry list = entry.at("triangles");
+    std::vector<ClosedSurface::Facet> facets(list.size());
+    for (std::size_t i = 0; i < facets.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double number = list.at(i).at(k).number();
+        if (!(number >= 0.0 && number < static_cast<double>(vertices.size())))
+          list.at(i).at(k).fail("the number of a vertex");
+        facets[i][k] = static_cast<std::uint32_t>(number);
+      }
+    return SolidBody(ClosedSurface::triangles(std::move(vertices), std::move(facets)));
+  } catch (const Error& error) {
+    const std::string what = error.what();
+    if (!what.starts_with("found ")) throw;
+    throw Error(entry.place() + ": " + what);
+  }
+}
 
 }  // namespace
 
@@ -105,7 +138,7 @@ void apply_case(Run& run, const json& value, const std::string& place) {
   if (stated.has("obstacles")) {
     physics.obstacles.emplace();
     for (std::size_t i = 0; i < stated.at("obstacles").size(); ++i)
-      physics.obstacles->push_back(stated.at("obstacles").at(i).extent());
+      physics.obstacles->push_back(solid_of(stated.at("obstacles").at(i)));
   }
   if (stated.has("tank")) {
     physics.tank = stated.at("tank").extent();

@@ -211,6 +211,16 @@ bool same_statement(const nlohmann::json& a, const nlohmann::json& b) {
   return a == b;
 }
 
+bool same_solid(const SolidBody& a, const SolidBody& b, std::size_t dimension, double tolerance) {
+  if (!same_box(a, b, dimension, tolerance)) return false;
+  if (!a.surface || !b.surface) return !a.surface && !b.surface;
+  const std::vector<Point>&x = a.surface->vertices(), &y = b.surface->vertices();
+  if (x.size() != y.size() || a.surface->facets() != b.surface->facets()) return false;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (!same_point(x[i], y[i], dimension, tolerance)) return false;
+  return true;
+}
+
 PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, const Physics& b,
                                   const std::string& name_b) {
   Comparer compare(name_a, name_b);
@@ -244,9 +254,10 @@ PhysicsComparison compare_physics(const Physics& a, const std::string& name_a, c
     return x.shape == y.shape && same_box(x.box, y.box, dimension, length_tolerance) &&
            same_point(x.velocity, y.velocity, dimension, 1e-6);
   });
-  compare.bodies("obstacles", a.obstacles, b.obstacles, [&](const Extent& x, const Extent& y) {
-    return same_box(x, y, dimension, length_tolerance);
-  });
+  compare.bodies("obstacles", a.obstacles, b.obstacles,
+                 [&](const SolidBody& x, const SolidBody& y) {
+                   return same_solid(x, y, dimension, length_tolerance);
+                 });
   compare.names("open", a.open, b.open);
   compare.names("periodic", a.periodic, b.periodic);
   compare.statement("motion", a.motion, b.motion);

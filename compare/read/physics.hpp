@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "compare/read/units.hpp"
+#include "particle/case/closed_surface.hpp"
 
 namespace surge::compare {
 
@@ -17,6 +19,22 @@ struct Extent {
   Vec3 lower{};  ///< m
   Vec3 upper{};  ///< m
 };
+
+/// A fixed solid body: a box, or what a closed surface holds; the box is then the one around it.
+struct SolidBody : Extent {
+  std::shared_ptr<const ClosedSurface> surface;  ///< null: the box itself
+
+  SolidBody() = default;
+  SolidBody(const Extent& box) : Extent(box) {}  // NOLINT: a box is a body
+  SolidBody(const Vec3& from, const Vec3& to) : Extent{from, to} {}
+  explicit SolidBody(ClosedSurface made)
+      : Extent{made.bounds().lower, made.bounds().upper},
+        surface(std::make_shared<const ClosedSurface>(std::move(made))) {}
+};
+
+/// Whether two bodies are the same to a tolerance (m), along so many axes.
+[[nodiscard]] bool same_solid(const SolidBody& a, const SolidBody& b, std::size_t dimension,
+                              double tolerance);
 
 /// A body of water at time zero.
 struct WaterBody {
@@ -36,7 +54,7 @@ struct Physics {
   std::optional<double> kinematic_viscosity;  ///< of the water, m2/s
   std::optional<std::string> wall;            ///< "slip" or "no-slip"
   std::optional<std::vector<WaterBody>> blocks;
-  std::optional<std::vector<Extent>> obstacles;
+  std::optional<std::vector<SolidBody>> obstacles;
   std::optional<std::set<std::string>> open;      ///< sides without a wall: "x-" to "z+"
   std::optional<std::set<std::string>> periodic;  ///< axes
   /// Motion of the tank and the walls that move, as a manifest has them; null: it is at rest.

@@ -102,10 +102,14 @@ std::optional<std::string> other_bodies(const Physics& series, const Physics& ru
     return near(x.lower, y.lower, axes) && near(x.upper, y.upper, axes);
   };
   const auto count = [](std::size_t n) { return std::to_string(n); };
-  const std::vector<Extent> a = series.obstacles.value_or(std::vector<Extent>{});
+  const auto same_solids = [&](const SolidBody& x, const SolidBody& y) {
+    if (!x.surface || !y.surface) return !x.surface && !y.surface && same_box(x, y);
+    return same_solid(x, y, axes, tolerance * x.surface->bounds().upper[0]);
+  };
+  const std::vector<SolidBody> a = series.obstacles.value_or(std::vector<SolidBody>{});
   if (!run.obstacles && !a.empty()) return unlike("obstacles", count(a.size()), "not stated");
-  const std::vector<Extent> b = run.obstacles.value_or(std::vector<Extent>{});
-  if (!alike(a, b, same_box)) {
+  const std::vector<SolidBody> b = run.obstacles.value_or(std::vector<SolidBody>{});
+  if (!alike(a, b, same_solids)) {
     const std::string same = a.size() == b.size() ? " elsewhere" : "";
     return unlike("obstacles", count(a.size()), count(b.size()) + same);
   }

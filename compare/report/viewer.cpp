@@ -117,12 +117,13 @@ json box_json(const Rectangle& plane, const DepthRange& depth) {
 
 /// The same in space, boxes of [x0, y0, z0, x1, y1, z1]: {"tank", "obstacles", "walls": [one box
 /// per time]}, the plane of the slice, {"middle"}, over L, and {"towards"}: 1 where x, up and the
-/// depth are a right-handed system, else -1.
+/// depth are a right-handed system, else -1; {"surfaces"}: corners of triangles, each a list.
 json space_json(const Run& run, const Solids& solids, const std::vector<Seconds>& times) {
   const PictureScale scale(run);
   json out{{"tank", solids.tank ? box_json(*solids.tank, solids.tank_depth) : json()},
            {"middle", scale.z(scale.middle)},
            {"towards", scale.up == 1 ? 1 : -1},
+           {"surfaces", solids.surfaces},
            {"obstacles", json::array()},
            {"walls", json::array()}};
   for (const Solids::Block& block : solids.blocks)
@@ -135,12 +136,14 @@ json space_json(const Run& run, const Solids& solids, const std::vector<Seconds>
   return out;
 }
 
-/// {"tank": [x0, y0, x1, y1] or null, "open": sides, "obstacles": [boxes], "walls": [{"boxes": one
+/// {"tank": [x0, y0, x1, y1] or null, "open": sides, "obstacles": [boxes], "outlines": [[[x, y]
+/// of corners]], "walls": [{"boxes": one
 /// per time}]}, over L.
 json solids_json(const Solids& solids, const std::vector<Seconds>& times) {
   json out{{"tank", solids.tank ? rectangle_json(*solids.tank) : json()},
            {"open", solids.open},
            {"up", solids.up_side.substr(0, 1)},
+           {"outlines", solids.outlines},
            {"obstacles", json::array()},
            {"walls", json::array()}};
   for (const Rectangle& box : solids.obstacles) out["obstacles"].push_back(rectangle_json(box));

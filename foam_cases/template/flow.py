@@ -6,11 +6,12 @@ all that was in the case.
 """
 
 import functools
-import itertools
 import math
 import pathlib
 import re
 import subprocess
+
+from solids import covered, size_of, surfaces
 
 SIDES = ("x-", "x+", "y-", "y+", "z-", "z+")
 
@@ -163,27 +164,28 @@ def tank(mesh):
     }
 
 
-def covered(boxes):
-    """Volume of the union of boxes ([lower, upper]): what two of them share counts once."""
-    edges = [sorted({box[end][a] for box in boxes for end in (0, 1)}) for a in range(3)]
-    total = 0.0
-    for cell in itertools.product(*(zip(e, e[1:]) for e in edges)):
-        middle = [(low + high) / 2 for low, high in cell]
-        if any(all(b[0][a] < middle[a] < b[1][a] for a in range(3)) for b in boxes):
-            total += math.prod(high - low for low, high in cell)
-    return total
-
-
-def obstacles(mesh):
-    """Boxes that are cut out of the mesh, as blockMeshDict states them, held to the mesh's volume."""
+def obstacles(mesh, cell):
+    """Boxes that blockMeshDict leaves out, all obstacles as a manifest states them, and the volume
+    that bodies with a surface leave out of the mesh; all held to the volume of the mesh."""
     path = "system/blockMeshDict"
     values = numbers(dictionary(path).get("obstacles", ""))
     boxes = [(values[i : i + 3], values[i + 3 : i + 6]) for i in range(0, len(values), 6)]
     whole = math.prod(b - a for a, b in zip(mesh.lower, mesh.upper))
     cut = covered(boxes) if boxes else 0.0
-    if abs(whole - cut - mesh.volume) > 1e-5 * whole:
-        fail(f"{path}: obstacles", f"{cut:.6g} m3", f"the {whole - mesh.volume:.6g} m3 that the mesh leaves out")
-    return boxes
+    left_out = whole - mesh.volume - cut
+    stated = surfaces()["obstacles"]
+    bodies = [solid for solid in stated if "polygon" in solid or "vertices" in solid]
+    sizes = [size_of(solid, mesh.thickness) for solid in bodies]
+    in_bodies = sum(volume for volume, _ in sizes)
+    # Cells are cut out by their middles: half a cell of each that the surface passes, at most.
+    room = 1e-5 * whole + sum(surface for _, surface in sizes) * cell
+    if abs(left_out - in_bodies) > room:
+        fail(f"{path}: obstacles", f"{cut + in_bodies:.6g} m3",
+             f"the {whole - mesh.volume:.6g} m3 that the mesh leaves out")
+    plain = iter([{"lower": mesh.point(a), "upper": mesh.point(b)} for a, b in boxes])
+    if not bodies:
+        return boxes, list(plain), None
+    return boxes, [solid if solid in bodies else next(plain) for solid in stated], left_out
 
 
 def region(mesh, name, body):
@@ -298,14 +300,16 @@ def motions():
     return moved, [law(body) for body in walls.values()]
 
 
-def instruments(mesh):
+def instruments(mesh, cell):
     """Probes, gauges and forces among the function objects, with the files that they write."""
     found = {"probes": [], "gauges": [], "forces": []}
     for name, body in entry("system/controlDict", "functions").items():
         folder = f"postProcessing/{name}/0"
         if "probe" in body:
             place, stated = numbers(body["probeLocations"]), numbers(body["position"])
-            if math.dist(place[: mesh.dimension], stated[: mesh.dimension]) > 1e-5 * math.dist(mesh.lower, mesh.upper):
+            # A cell that an obstacle with a surface has cut out gives its place to a neighbour.
+            near = 5 * cell if surfaces()["obstacles"] else 1e-5 * math.dist(mesh.lower, mesh.upper)
+            if math.dist(place[: mesh.dimension], stated[: mesh.dimension]) > near:
                 fail(f"{name}: position", stated, f"the place of probeLocations, {place}")
             found["probes"].append({"name": body["probe"].strip('"'), "position": mesh.point(stated),
                                     "diameter": 0, "file": f"{folder}/p"})
@@ -320,16 +324,18 @@ def instruments(mesh):
     return found
 
 
-def flow(mesh):
-    """Those entries of a manifest's case that say where things are, and the volume of water in m3."""
-    water, solids = blocks(mesh), obstacles(mesh)
+def flow(mesh, cell):
+    """Those entries of a manifest's case that say where things are, the volume of water in m3, and
+    that of bodies with a surface in the mesh (None where there are none)."""
+    water, (boxes, solids, left_out) = blocks(mesh), obstacles(mesh, cell)
     moved, walls = motions()
     stated = {
         "tank": tank(mesh),
         "blocks": water,
-        "obstacles": [{"lower": mesh.point(a), "upper": mesh.point(b)} for a, b in solids],
+        "obstacles": solids,
         "motion": moved,
         "moving_walls": walls,
-        **instruments(mesh),
+        **instruments(mesh, cell),
     }
-    return stated, stated_volume(mesh, water, solids)
+    taken = surfaces()["cut_from_water"] * (mesh.thickness if mesh.dimension == 2 else 1)
+    return stated, stated_volume(mesh, water, boxes) - taken, left_out

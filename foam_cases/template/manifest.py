@@ -108,15 +108,16 @@ def manifest():
     solver = entry("system/controlDict", "application")
     text = log(solver)
     mesh = Mesh()
-    stated, volume = flow(mesh)
+    stated, volume, left_out = flow(mesh, cell_size())
     made = case(mesh, stated, solver)
     end = made["time"]["end"]
     simulated = numbers("\n".join(re.findall(r"^Time = (\S+)$", text, re.M)))
     processes = re.search(r"^nProcs : (\d+)", text, re.M)
     volumes = [float(row[1]) for row in rows("waterVolume")]
-    # Cells fill a ball as well as they can: its change is counted from what they hold.
+    # Cells fill a ball, and what is beside a surface, as well as they can: the change is counted
+    # from what they hold.
     balls = any(block["shape"] == "ball" for block in stated["blocks"])
-    initial = volumes[0] if balls else volume
+    initial = volumes[0] if balls or left_out is not None else volume
     extremes = [(float(row[2]), float(row[4])) for row in rows("alphaRange")]
     setup = seconds("blockMesh", "checkMesh", "topoSet", "setFields", "setExprFields", "decomposePar")
     solve, output = seconds("solve"), seconds("reconstructPar")
@@ -142,6 +143,7 @@ def manifest():
         "water_volume_stated": volume,
         "water_volume_start": volumes[0],
         "water_volume_change": max((v / initial - 1 for v in volumes), key=abs),
+        **({} if left_out is None else {"solid_volume_cut_out": left_out}),
         "alpha_min": min(low for low, _ in extremes),
         "alpha_max": max(high for _, high in extremes),
         "case": made,

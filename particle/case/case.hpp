@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "particle/case/box.hpp"
+#include "particle/case/closed_surface.hpp"
 #include "particle/case/motion.hpp"
 
 namespace surge {
-
-struct Box {
-  Point lower{};  ///< m
-  Point upper{};  ///< m
-};
 
 /// A body of fluid at time zero, filled with particles on a square (cubic) lattice.
 struct FluidBlock {
@@ -34,6 +32,17 @@ struct Tank {
   std::array<bool, 6> open{};      ///< x-, x+, y-, y+, z-, z+
   std::array<bool, 3> periodic{};  ///< x, y, z
   WallCondition wall = WallCondition::slip;
+};
+
+/// A fixed solid body: a box, or what a closed surface holds; the box is then the one around it.
+struct Obstacle : Box {
+  std::shared_ptr<const ClosedSurface> surface;  ///< null: the box itself
+
+  Obstacle() = default;
+  Obstacle(const Box& box) : Box(box) {}  // NOLINT: a box is an obstacle
+  Obstacle(const Point& from, const Point& to) : Box{from, to} {}
+  explicit Obstacle(ClosedSurface made)
+      : Box(made.bounds()), surface(std::make_shared<const ClosedSurface>(std::move(made))) {}
 };
 
 /// Where the pressure is recorded at every step, as a flush sensor of this diameter would read it.
@@ -84,7 +93,7 @@ struct Case {
   bool has_tank = false;
   Tank tank;
   std::vector<FluidBlock> blocks;
-  std::vector<Box> obstacles;  ///< fixed solid boxes
+  std::vector<Obstacle> obstacles;
   TankMotion motion;
   std::vector<MovingWall> moving_walls;
   std::vector<Probe> probes;

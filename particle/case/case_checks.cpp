@@ -7,6 +7,7 @@
 
 #include "particle/case/divisions.hpp"
 #include "particle/case/enum_names.hpp"
+#include "particle/case/surface_checks.hpp"
 
 namespace surge {
 
@@ -61,6 +62,7 @@ class Checker {
     check_bodies("moving_wall");
     check_moving_walls();
     check_overlaps();
+    check_surface_overlaps(case_, root_);
     check_instruments(case_, root_);
   }
 
@@ -148,6 +150,7 @@ class Checker {
     for (std::size_t i = 0; i < tables.size(); ++i) {
       const Box box = box_of(kind, i);
       if (case_.has_tank) check_inside(tables[i], kind, box);
+      if (kind == "obstacle" && case_.obstacles[i].surface) continue;
       check_extent(tables[i], box);
       if (kind == "block" && case_.blocks[i].shape == FluidBlock::Shape::ball)
         check_ball(tables[i], box);
@@ -161,12 +164,14 @@ class Checker {
     const double slack = relative_tolerance * case_.spacing;
     for (std::size_t a = 0; a < dimension_; ++a) {
       const std::string inside = "the " + kind + " inside the tank, ";
+      const std::string key = place_key(table);
       if (box.lower[a] < tank.lower[a] - slack) {
-        throw table.error("lower", std::string(axis[a]) + " = " + number_text(box.lower[a]),
+        throw table.error(key, std::string(axis[a]) + " = " + number_text(box.lower[a]),
                           inside + "which begins at " + number_text(tank.lower[a]));
       }
       if (box.upper[a] > tank.upper[a] + slack) {
-        throw table.error("upper", std::string(axis[a]) + " = " + number_text(box.upper[a]),
+        throw table.error(key == "lower" ? "upper" : key,
+                          std::string(axis[a]) + " = " + number_text(box.upper[a]),
                           inside + "which ends at " + number_text(tank.upper[a]));
       }
     }
@@ -215,7 +220,7 @@ class Checker {
       add({block.box, block.shape == FluidBlock::Shape::ball}, "block", i);
     }
     for (std::size_t i = 0; i < case_.obstacles.size(); ++i)
-      add({case_.obstacles[i]}, "obstacle", i);
+      if (!case_.obstacles[i].surface) add({case_.obstacles[i]}, "obstacle", i);
     for (std::size_t i = 0; i < case_.moving_walls.size(); ++i)
       add({case_.moving_walls[i].box}, "moving_wall", i);
     if (bodies.size() > most_bodies) {

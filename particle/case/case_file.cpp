@@ -7,6 +7,7 @@
 
 #include "particle/case/enum_names.hpp"
 #include "particle/case/read_motion.hpp"
+#include "particle/case/read_obstacle.hpp"
 
 namespace surge {
 
@@ -151,7 +152,7 @@ Case read_case(const TomlTable& root) {
   for (const TomlTable& table : root.tables("block"))
     c.blocks.push_back(read_block(table, c.dimension));
   for (const TomlTable& table : root.tables("obstacle")) {
-    c.obstacles.push_back(read_box(table, c.dimension));
+    c.obstacles.push_back(read_obstacle(table, c.dimension));
   }
   if (const auto table = root.optional_table("motion"))
     c.motion = read_tank_motion(*table, c.dimension);

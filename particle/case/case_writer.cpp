@@ -23,6 +23,18 @@ json box_json(const Box& box) {
   return {{"lower", box.lower}, {"upper", box.upper}};
 }
 
+/// A body with its surface in full, so that a file that changes is another case.
+json obstacle_json(const Obstacle& obstacle) {
+  json j = box_json(obstacle);
+  if (!obstacle.surface) return j;
+  const bool plane = obstacle.surface->dimension() == 2;
+  json& corners = j[plane ? "polygon" : "vertices"] = json::array();
+  for (const Point& x : obstacle.surface->vertices())
+    corners.push_back(plane ? json{x[0], x[1]} : json(x));
+  if (!plane) j["triangles"] = obstacle.surface->facets();
+  return j;
+}
+
 json tank_json(const Tank& tank) {
   json j = box_json(tank.box);
   j["open"] = names_of(tank.open, side_names);
@@ -121,7 +133,7 @@ json to_json(const Case& c) {
   j["blocks"] = json::array();
   for (const FluidBlock& block : c.blocks) j["blocks"].push_back(block_json(block));
   j["obstacles"] = json::array();
-  for (const Box& box : c.obstacles) j["obstacles"].push_back(box_json(box));
+  for (const Obstacle& obstacle : c.obstacles) j["obstacles"].push_back(obstacle_json(obstacle));
   j["probes"] = json::array();
   for (const Probe& probe : c.probes) {
     j["probes"].push_back(
@@ -158,7 +170,14 @@ std::string to_toml(const Case& c) {
   write_table(out, "[fluid]", j["fluid"], dimension);
   if (c.has_tank) write_table(out, "[tank]", j["tank"], dimension);
   for (const json& block : j["blocks"]) write_table(out, "[[block]]", block, dimension);
-  for (const json& box : j["obstacles"]) write_table(out, "[[obstacle]]", box, dimension);
+  for (json obstacle : j["obstacles"]) {
+    const bool is_box = !obstacle.contains("polygon") && !obstacle.contains("vertices");
+    if (!is_box) {  // the surface says where it ends
+      obstacle.erase("lower");
+      obstacle.erase("upper");
+    }
+    write_table(out, "[[obstacle]]", obstacle, dimension);
+  }
   for (const json& probe : j["probes"]) write_table(out, "[[probe]]", probe, dimension);
   if (json motion = j["motion"]; !motion.is_null()) {
     // In 2D there is one axis to turn about, and a case file does not name it.

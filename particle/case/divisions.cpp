@@ -68,7 +68,8 @@ std::vector<double> divided_lengths(const Case& c) {
   };
   if (c.has_tank) add(c.tank.box);
   for (const FluidBlock& block : c.blocks) add(block.box);
-  for (const Box& obstacle : c.obstacles) add(obstacle);
+  for (const Obstacle& obstacle : c.obstacles)
+    if (!obstacle.surface) add(obstacle);
   for (const MovingWall& wall : c.moving_walls) add(wall.box);
   return lengths;
 }

@@ -87,10 +87,29 @@ class Instruments {
       throw table.error("position", "a place inside " + where,
                         "a place that water can reach, or on the surface of " + where);
     };
-    for (std::size_t i = 0; i < case_.obstacles.size(); ++i)
-      if (inside(case_.obstacles[i])) refuse("obstacle." + std::to_string(i));
+    for (std::size_t i = 0; i < case_.obstacles.size(); ++i) {
+      const Obstacle& obstacle = case_.obstacles[i];
+      if (obstacle.surface ? inside_surface(*obstacle.surface, place, free) : inside(obstacle))
+        refuse("obstacle." + std::to_string(i));
+    }
     for (std::size_t i = 0; i < case_.moving_walls.size(); ++i)
       if (inside(case_.moving_walls[i].box)) refuse("moving_wall." + std::to_string(i));
+  }
+
+  /// The same of a surface: by more than a thousandth of a spacing, and along a free axis all of a
+  /// thousand places from end to end of the tank.
+  [[nodiscard]] bool inside_surface(const ClosedSurface& surface, Point place,
+                                    std::optional<std::size_t> free) const {
+    const auto in = [&] { return surface.distance(place) < -1e-3 * case_.spacing; };
+    if (!free) return in();
+    constexpr int places = 1000;
+    const Box& tank = case_.tank.box;
+    for (int k = 0; k < places; ++k) {
+      place[*free] =
+          tank.lower[*free] + (k + 0.5) / places * (tank.upper[*free] - tank.lower[*free]);
+      if (!case_.has_tank || !in()) return false;
+    }
+    return true;
   }
 
   /// A sensor is in a wall of the tank, or smaller than what could stand in it.

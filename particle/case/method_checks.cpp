@@ -3,6 +3,7 @@
 #include "particle/case/case_checks.hpp"
 #include "particle/case/scales.hpp"
 #include "particle/case/solid_cells.hpp"
+#include "particle/case/surface_checks.hpp"
 
 namespace surge {
 
@@ -85,6 +86,7 @@ class Checker {
     const SolidCells space(case_);
     if (const auto thin = space.thin_wall(radius_)) refuse_thin(*thin);
     if (const auto gap = space.narrow_gap(case_.spacing)) refuse_gap(*gap);
+    check_surface_thickness(case_, root_, radius_);
   }
 
   [[noreturn]] void refuse_thin(const ThinPlace& thin) const {

@@ -10,15 +10,25 @@ namespace {
 /// Faces closer than this share of a spacing are one.
 constexpr double same_face = 1e-6;
 
-std::vector<Box> solids_of(const Case& c) {
-  std::vector<Box> solids = c.obstacles;
-  for (const MovingWall& wall : c.moving_walls) solids.push_back(wall.box);
+/// A solid box by its number among obstacles and moving walls after those. What has a surface has
+/// checks of its own (surface_checks.hpp).
+struct NumberedBox : Box {
+  std::size_t number = 0;
+};
+
+std::vector<NumberedBox> solids_of(const Case& c) {
+  std::vector<NumberedBox> solids;
+  for (std::size_t i = 0; i < c.obstacles.size(); ++i)
+    if (!c.obstacles[i].surface) solids.push_back({c.obstacles[i], i});
+  for (std::size_t i = 0; i < c.moving_walls.size(); ++i)
+    solids.push_back({c.moving_walls[i].box, c.obstacles.size() + i});
   return solids;
 }
 
 /// The coordinates of all faces along an axis, in order, without those that are the same. Without a
 /// tank there is space all around.
-std::vector<double> edges_of(const Case& c, const std::vector<Box>& solids, std::size_t axis) {
+std::vector<double> edges_of(const Case& c, const std::vector<NumberedBox>& solids,
+                             std::size_t axis) {
   if (axis >= static_cast<std::size_t>(c.dimension)) return {0.0, 1.0};
   std::vector<double> edges;
   const auto add = [&](const Box& box) {
@@ -45,7 +55,7 @@ std::vector<double> edges_of(const Case& c, const std::vector<Box>& solids, std:
 }  // namespace
 
 double SolidCells::cell_count(const Case& c) {
-  const std::vector<Box> solids = solids_of(c);
+  const std::vector<NumberedBox> solids = solids_of(c);
   double count = 1.0;
   for (std::size_t a = 0; a < 3; ++a)
     count *= static_cast<double>(edges_of(c, solids, a).size() - 1);
@@ -53,7 +63,7 @@ double SolidCells::cell_count(const Case& c) {
 }
 
 SolidCells::SolidCells(const Case& c) : dimension_(static_cast<std::size_t>(c.dimension)) {
-  const std::vector<Box> solids = solids_of(c);
+  const std::vector<NumberedBox> solids = solids_of(c);
   open_.fill(!c.has_tank);
   if (c.has_tank) open_ = c.tank.open;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -64,7 +74,7 @@ SolidCells::SolidCells(const Case& c) : dimension_(static_cast<std::size_t>(c.di
   solid_.assign(count_[0] * count_[1] * count_[2], open);
   // Where bodies overlap, the first one stays.
   for (std::size_t s = solids.size(); s-- > 0;)
-    for_each_inside(solids[s], [&](std::size_t i) { solid_[i] = s; });
+    for_each_inside(solids[s], [&](std::size_t i) { solid_[i] = solids[s].number; });
   mark_wet(c);
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "particle/core/for_each_cell.hpp"
+#include "particle/core/surface_lattice.hpp"
 #include "particle/support/count.hpp"
 
 namespace surge {
@@ -72,11 +73,13 @@ Point as_point(const Vec<D>& x) {
 }
 
 template <int D>
-void add_block(Particles<D>& p, const FluidBlock& block, double g, double l0) {
+void add_block(Particles<D>& p, const Case& c, const FluidBlock& block) {
+  const double g = length(c.gravity), l0 = c.spacing;
   for_each_cell<D>({}, cells_of<D>(block.box, l0), [&](const std::array<int, D>& k) {
     const Vec<D> x = cell_centre<D>(block.box, k, l0);
     const Point point = as_point<D>(x);
     if (block.shape == FluidBlock::Shape::ball && !inside_ball(block.box, point, D)) return;
+    if (is_filled(c, point)) return;
     const Point velocity = initial_velocity(block, point);
     Vec<D> v;
     std::copy_n(velocity.begin(), D, v.begin());
@@ -124,14 +127,28 @@ void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
   });
 }
 
+template <int D>
+void add_surface(Particles<D>& p, const Case& c, const Obstacle& obstacle, int layers) {
+  for_each_in_surface<D>(c, obstacle, layers, [&](const Point& place, int layer) {
+    Vec<D> x;
+    std::copy_n(place.begin(), D, x.begin());
+    append<D>(p, x, Vec<D>{}, layer_type(layer));
+  });
+}
+
 }  // namespace
 
 template <int D>
 Particles<D> initial_particles(const Case& c, int wall_layers) {
   Particles<D> p;
-  for (const FluidBlock& block : c.blocks) add_block<D>(p, block, length(c.gravity), c.spacing);
+  for (const FluidBlock& block : c.blocks) add_block<D>(p, c, block);
   if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
-  for (const Box& box : c.obstacles) add_obstacle<D>(p, box, c.spacing, wall_layers);
+  for (const Obstacle& obstacle : c.obstacles) {
+    if (obstacle.surface)
+      add_surface<D>(p, c, obstacle, wall_layers);
+    else
+      add_obstacle<D>(p, obstacle, c.spacing, wall_layers);
+  }
   for (const MovingWall& wall : c.moving_walls)
     add_obstacle<D>(p, wall.box, c.spacing, wall_layers);
   return p;

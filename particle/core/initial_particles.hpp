@@ -10,8 +10,10 @@ namespace surge {
 
 /// The particles at time zero: fluid on a lattice of spacing l0 inside the blocks, and
 /// `wall_layers` layers of fixed particles outside the tank's walls and inside the obstacles. The
-/// layer next to the fluid has type wall, the others dummy. Fluid comes first, moving walls come
-/// last, at displacement zero; ids count from 0 in that order. Pressure and density are zero.
+/// layer next to the fluid has type wall, the others dummy. An obstacle with a surface cuts its
+/// place out of the blocks; its layers are the places of the tank's lattice inside it that are no
+/// deeper below its surface. Fluid comes first, moving walls come last, at displacement zero; ids
+/// count from 0 in that order. Pressure and density are zero.
 template <int D>
 Particles<D> initial_particles(const Case& c, int wall_layers);
 

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "particle/core/surface_lattice.hpp"
+
 namespace surge {
 
 namespace {
 
-constexpr double most_rows = 1e6;  // of a ball, which takes milliseconds
+constexpr double most_rows = 1e6;    // of a ball, which takes milliseconds
+constexpr double most_places = 1e6;  // around a surface, which takes a second
 
 using Counts = std::array<double, 3>;
 
@@ -53,6 +56,22 @@ double count_ball(const Counts& n, int dimension) {
   return count;
 }
 
+Point centre_of(const Case& c, const Box& box, const Counts& k) {
+  Point x{};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
+    x[a] = box.lower[a] + (k[a] + 0.5) * c.spacing;
+  return x;
+}
+
+bool inside_ball_at(const Case& c, const Box& box, const Point& x) {
+  double sum = 0.0;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a) {
+    const double size = box.upper[a] - box.lower[a];
+    sum += std::pow((2.0 * x[a] - box.lower[a] - box.upper[a]) / size, 2);
+  }
+  return sum < 1.0;
+}
+
 /// The layers outside the tank's walls: open and periodic sides have none.
 double count_tank(const Case& c, int layers) {
   const Counts n = counts_of(c, c.tank.box);
@@ -74,6 +93,54 @@ double count_obstacle(const Case& c, const Box& box, int layers) {
   return product(n) - product(hollow);
 }
 
+/// The layers inside a surface: one by one, or where they are too many by its area, or volume.
+double count_surface(const Case& c, const Obstacle& obstacle, int layers) {
+  if (SurfaceLattice(c, obstacle).cells() > most_places) {
+    const double depth = layers * c.spacing;
+    return std::round(std::min(obstacle.surface->volume(), obstacle.surface->area() * depth) /
+                      std::pow(c.spacing, c.dimension));
+  }
+  double count = 0.0;
+  const auto add = [&](const Point&, int) { count += 1.0; };
+  if (c.dimension == 2)
+    for_each_in_surface<2>(c, obstacle, layers, add);
+  else
+    for_each_in_surface<3>(c, obstacle, layers, add);
+  return count;
+}
+
+/// Particles of a block that surfaces leave no place for. One by one, or by the volume.
+double count_cut_out(const Case& c, const FluidBlock& block) {
+  double count = 0.0;
+  for (const Obstacle& obstacle : c.obstacles) {
+    if (!obstacle.surface) continue;
+    Counts first{}, end{1.0, 1.0, 1.0};
+    Box shared{};
+    double places = 1.0;
+    const double reach = on_surface * c.spacing;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a) {
+      const double from = block.box.lower[a], n = counts_of(c, block.box)[a];
+      first[a] = std::max(std::floor((obstacle.lower[a] - reach - from) / c.spacing), 0.0);
+      end[a] = std::min(std::ceil((obstacle.upper[a] + reach - from) / c.spacing), n);
+      places *= std::max(end[a] - first[a], 0.0);
+      shared.lower[a] = from + first[a] * c.spacing;
+      shared.upper[a] = from + end[a] * c.spacing;
+    }
+    if (places > most_places) {
+      count += std::round(places * obstacle.surface->share_of(shared));
+      continue;
+    }
+    for (double k = first[2]; k < end[2]; ++k)
+      for (double j = first[1]; j < end[1]; ++j)
+        for (double i = first[0]; i < end[0]; ++i) {
+          const Point x = centre_of(c, block.box, {i, j, k});
+          const bool in = block.shape == FluidBlock::Shape::box || inside_ball_at(c, block.box, x);
+          if (in && obstacle.surface->distance(x) <= reach) count += 1.0;
+        }
+  }
+  return count;
+}
+
 }  // namespace
 
 ParticleCount count_particles(const Case& c, int wall_layers) {
@@ -81,9 +148,12 @@ ParticleCount count_particles(const Case& c, int wall_layers) {
   for (const FluidBlock& block : c.blocks) {
     const Counts n = counts_of(c, block.box);
     count.fluid += block.shape == FluidBlock::Shape::ball ? count_ball(n, c.dimension) : product(n);
+    count.fluid -= count_cut_out(c, block);
   }
   if (c.has_tank) count.wall += count_tank(c, wall_layers);
-  for (const Box& box : c.obstacles) count.wall += count_obstacle(c, box, wall_layers);
+  for (const Obstacle& obstacle : c.obstacles)
+    count.wall += obstacle.surface ? count_surface(c, obstacle, wall_layers)
+                                   : count_obstacle(c, obstacle, wall_layers);
   for (const MovingWall& wall : c.moving_walls)
     count.wall += count_obstacle(c, wall.box, wall_layers);
   return count;

@@ -13,7 +13,7 @@ struct ParticleCount {
 };
 
 /// Counts without making any, in a time that does not grow with the number. Exact up to balls of a
-/// million rows of particles, which count by their volume.
+/// million rows of particles, and surfaces around a million of them, which count by their volume.
 [[nodiscard]] ParticleCount count_particles(const Case& c, int wall_layers);
 
 }  // namespace surge

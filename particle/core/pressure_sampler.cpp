@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "particle/core/for_each_cell.hpp"
+#include "particle/core/surface_lattice.hpp"
 #include "particle/core/wall_collision.hpp"
 
 namespace surge {
@@ -18,6 +19,12 @@ constexpr double least_wet = 0.75;
 /// A place of whose surroundings less than this is open lies between solids: no water presses
 /// there.
 constexpr double least_open = 0.02;
+
+bool has_surface_near(const Case& c, const Point& x, double reach) {
+  return std::any_of(c.obstacles.begin(), c.obstacles.end(), [&](const Obstacle& obstacle) {
+    return obstacle.surface && obstacle.surface->distance(x) < reach;
+  });
+}
 
 struct NoWalls {
   template <std::size_t N>
@@ -41,10 +48,15 @@ PressureSampler<D>::PressureSampler(const Case& c, std::vector<Vec<D>> points)
   }
   const WallCollision<D> walls(c, 0.0, 0.0);
   const double all = weight_of_the_open(NoWalls{}, c.spacing, Vec<D>{});
-  for (const Vec<D>& point : points_) {
-    const double open = weight_of_the_open(walls, c.spacing, point);
-    wet_.push_back(open < least_open * all ? std::numeric_limits<double>::infinity()
-                                           : least_wet * open);
+  wet_.resize(points_.size());
+  const auto count = static_cast<std::ptrdiff_t>(points_.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    double open = weight_of_the_open(walls, c.spacing, points_[i]);
+    if (has_surface_near(c, point_of<D>(points_[i]), radius_))
+      open = std::min(open, weight_of_the_lattice(walls, c, points_[i]));
+    wet_[i] = open < least_open * all ? std::numeric_limits<double>::infinity() : least_wet * open;
   }
   sort_points();
 }
@@ -107,6 +119,32 @@ double PressureSampler<D>::weight_of_the_open(const Walls& walls, double spacing
     if (square < radius_ * radius_ && !walls.is_solid(x)) sum += weight(std::sqrt(square));
   });
   return sum * std::pow(step / spacing, D);
+}
+
+/// sum w over the places of the fluid's lattice that are not solid.
+template <int D>
+template <class Walls>
+double PressureSampler<D>::weight_of_the_lattice(const Walls& walls, const Case& c,
+                                                 const Vec<D>& point) const {
+  const Point origin = SurfaceLattice(c, Box{}).origin;
+  Vec<D> first;
+  std::array<int, D> end;
+  for (std::size_t a = 0; a < D; ++a) {
+    first[a] = std::floor((point[a] - radius_ - origin[a]) / c.spacing);
+    end[a] = static_cast<int>(2.0 * radius_ / c.spacing) + 2;
+  }
+  double sum = 0.0;
+  for_each_cell<D>({}, end, [&](const std::array<int, D>& k) {
+    Vec<D> x;
+    double square = 0.0;
+    for (std::size_t a = 0; a < D; ++a) {
+      x[a] = origin[a] + (first[a] + k[a] + 0.5) * c.spacing;
+      square += (x[a] - point[a]) * (x[a] - point[a]);
+    }
+    if (square < radius_ * radius_ && !is_filled(c, point_of<D>(x)) && !walls.is_solid(x))
+      sum += weight(std::sqrt(square));
+  });
+  return sum;
 }
 
 template <int D>

@@ -12,6 +12,8 @@ namespace surge {
 /// over the fluid particles, W = int w dV over what is not solid within 2 l0, wet = 3/4. Where
 /// water covers the place that is the mean of Shepard (1968), right at walls too. Where it covers
 /// less, the rest is dry and counts with p = 0: the first drops on a wall are no load on all of it.
+/// Next to a surface that does not follow the lattice, W is no more than the sum of weights over
+/// the places of the lattice that it leaves to the fluid.
 template <int D>
 class PressureSampler {
  public:
@@ -30,6 +32,9 @@ class PressureSampler {
   template <class Walls>
   [[nodiscard]] double weight_of_the_open(const Walls& walls, double spacing,
                                           const Vec<D>& point) const;
+  template <class Walls>
+  [[nodiscard]] double weight_of_the_lattice(const Walls& walls, const Case& c,
+                                             const Vec<D>& point) const;
 
   double radius_;                   ///< m
   std::array<double, D> period_{};  ///< m; zero for an axis that is not periodic

@@ -16,8 +16,8 @@ template <int D>
 WallCollision<D>::WallCollision(const Case& c, double distance, double restitution)
     : has_tank_(c.has_tank),
       tank_(c.tank),
-      solid_(c.obstacles),
-      expanded_(c.obstacles),
+      surfaces_(surface_walls<D>(c, distance)),
+      surface_tip_(1e-3 * c.spacing),
       distance_(distance),
       restitution_(restitution) {
   const auto grow = [distance](Box& box) {
@@ -26,6 +26,9 @@ WallCollision<D>::WallCollision(const Case& c, double distance, double restituti
       box.upper[a] += distance;
     }
   };
+  for (const Obstacle& obstacle : c.obstacles)
+    if (!obstacle.surface) solid_.push_back(obstacle);
+  expanded_ = solid_;
   for (Box& box : expanded_) grow(box);
   for (const MovingWall& wall : c.moving_walls) {
     movers_.push_back({wall, wall.box, {}, {}, {}});
@@ -54,6 +57,8 @@ bool WallCollision<D>::apply(const Vec<D>& start, Vec<D>& end, Vec<D>& velocity)
   for (int pass = 0; pass < 4; ++pass) {
     bool again = false;
     for (const Box& box : expanded_) again = keep_out(box, start, end, velocity) || again;
+    for (const SurfaceWall<D>& wall : surfaces_)
+      again = wall.keep_out(start, restitution_, end, velocity) || again;
     for (const Mover& mover : movers_) again = keep_out_of(mover, start, end, velocity) || again;
     again = keep_in_tank(end, velocity) || again;
     if (!again) break;
@@ -177,6 +182,9 @@ bool WallCollision<D>::in_obstacle(const Vec<D>& x) const {
   };
   if (std::any_of(solid_.begin(), solid_.end(), [&](const Box& box) { return inside(box, x); }))
     return true;
+  if (std::any_of(surfaces_.begin(), surfaces_.end(),
+                  [&](const SurfaceWall<D>& wall) { return wall.holds(x); }))
+    return true;
   return std::any_of(movers_.begin(), movers_.end(), [&](const Mover& mover) {
     Vec<D> point = x;
     for (int a = 0; a < D; ++a) point[a] -= mover.after[a];
@@ -241,6 +249,18 @@ std::optional<Vec<D>> WallCollision<D>::free_surface_of_wall(const Vec<D>& x) co
   };
   const auto from_box = first_of_boxes(leave);
   if (from_box) return from_box;
+  for (const SurfaceWall<D>& wall : surfaces_) {
+    if (!wall.holds(inside)) continue;
+    const auto place = wall.free_place(point);
+    if (!place) return std::nullopt;
+    Vec<D> found, outside;
+    const Point& n = wall.surface().facet_normal(place->facet);
+    for (int a = 0; a < D; ++a) {
+      found[a] = place->place[a];
+      outside[a] = found[a] + surface_tip_ * n[a];
+    }
+    return is_solid(outside) ? std::nullopt : std::optional<Vec<D>>(found);
+  }
   return is_solid(inside) ? std::nullopt : std::optional<Vec<D>>(point);
 }
 

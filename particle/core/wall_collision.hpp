@@ -4,6 +4,7 @@
 
 #include "particle/case/case.hpp"
 #include "particle/core/particles.hpp"
+#include "particle/core/surface_walls.hpp"
 
 namespace surge {
 
@@ -53,9 +54,11 @@ class WallCollision {
 
   bool has_tank_;
   Tank tank_;
-  std::vector<Box> solid_;     ///< obstacles as they are
-  std::vector<Box> expanded_;  ///< obstacles grown by the distance
+  std::vector<Box> solid_;     ///< boxes of obstacles as they are
+  std::vector<Box> expanded_;  ///< the same grown by the distance
+  std::vector<SurfaceWall<D>> surfaces_;
   std::vector<Mover> movers_;
+  double surface_tip_;  ///< m, before a surface: where one looks for what covers it
   double distance_;
   double restitution_;
 };

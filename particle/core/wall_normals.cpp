@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "particle/core/neighbour_list.hpp"
+#include "particle/core/surface_lattice.hpp"
+#include "particle/core/surface_walls.hpp"
 
 namespace surge {
 namespace {
@@ -33,11 +35,22 @@ Vec<D> to_nearest_face(const Box& box, const Vec<D>& x) {
   return d;
 }
 
+/// Unit normal of the free surface that is nearest; zero where all of it is covered.
+template <int D>
+Vec<D> to_surface(const SurfaceWall<D>& wall, const Vec<D>& x) {
+  Vec<D> n{};
+  if (const auto place = wall.free_place(x)) std::copy_n(place->normal.begin(), D, n.begin());
+  return n;
+}
+
 }  // namespace
 
 template <int D>
 std::vector<Vec<D>> wall_normals(const Case& c, const Particles<D>& p) {
-  std::vector<Box> boxes = c.obstacles;
+  std::vector<Box> boxes;
+  for (const Obstacle& obstacle : c.obstacles)
+    if (!obstacle.surface) boxes.push_back(obstacle);
+  const std::vector<SurfaceWall<D>> surfaces = surface_walls<D>(c, 0.0);
   for (const MovingWall& wall : c.moving_walls) boxes.push_back(wall.box);
   std::vector<Vec<D>> normals(p.size(), Vec<D>{});
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -48,6 +61,9 @@ std::vector<Vec<D>> wall_normals(const Case& c, const Particles<D>& p) {
       for (const Box& box : boxes)
         if (squared_norm<D>(outside_of<D>(box, p.position(i))) == 0.0)
           n = to_nearest_face<D>(box, p.position(i));
+      for (const SurfaceWall<D>& wall : surfaces)
+        if (wall.surface().distance(point_of<D>(p.position(i))) <= on_surface * c.spacing)
+          n = to_surface<D>(wall, p.position(i));
     }
     const double length = std::sqrt(squared_norm<D>(n));
     if (length == 0.0) continue;

@@ -5,13 +5,19 @@
 #include <limits>
 
 #include "particle/core/for_each_cell.hpp"
+#include "particle/core/surface_walls.hpp"
 
 namespace surge {
 namespace {
 
-/// Axis across the solid face that a place lies nearest to.
+/// The solid face that a place lies nearest to: the axis across it, and the surface that it is of.
+struct NearFace {
+  std::size_t axis = 0;
+  const ClosedSurface* surface = nullptr;
+};
+
 template <int D>
-std::size_t face_axis(const Case& c, const Point& place) {
+NearFace near_face(const Case& c, const Point& place) {
   double least = std::numeric_limits<double>::max();
   std::size_t axis = 0;
   const auto look_at = [&](const Box& box, const std::array<bool, 3>& is_wall) {
@@ -33,9 +39,22 @@ std::size_t face_axis(const Case& c, const Point& place) {
   };
   if (c.has_tank)
     look_at(c.tank.box, {!c.tank.periodic[0], !c.tank.periodic[1], !c.tank.periodic[2]});
-  for (const Box& box : c.obstacles) look_at(box, {true, true, true});
+  for (const Obstacle& obstacle : c.obstacles)
+    if (!obstacle.surface) look_at(obstacle, {true, true, true});
   for (const MovingWall& wall : c.moving_walls) look_at(wall.box, {true, true, true});
-  return axis;
+  // A face of a surface lies across the axis that its normal is nearest to.
+  const ClosedSurface* surface = nullptr;
+  for (const Obstacle& obstacle : c.obstacles) {
+    if (!obstacle.surface) continue;
+    const NearestPlace near = obstacle.surface->nearest(place);
+    if (std::abs(near.distance) >= least) continue;
+    least = std::abs(near.distance);
+    surface = obstacle.surface.get();
+    const Point& n = obstacle.surface->facet_normal(near.facet);
+    for (std::size_t a = 0; a < D; ++a)
+      if (a == 0 || std::abs(n[a]) > std::abs(n[axis])) axis = a;
+  }
+  return {axis, surface};
 }
 
 /// Places of one probe.
@@ -43,7 +62,7 @@ template <int D>
 void add_places(const Case& c, const Probe& probe, std::vector<Vec<D>>& places) {
   const double radius = 0.5 * probe.diameter;
   const int half = static_cast<int>(std::ceil(radius / (0.5 * c.spacing)));
-  const std::size_t normal = face_axis<D>(c, probe.position);
+  const auto [normal, surface] = near_face<D>(c, probe.position);
   std::array<int, D> first;
   std::array<int, D> last;
   first.fill(-half);
@@ -60,6 +79,11 @@ void add_places(const Case& c, const Probe& probe, std::vector<Vec<D>>& places) 
       place[a] = probe.position[a] + aside;
       if (c.has_tank && !c.tank.periodic[a])
         outside = outside || place[a] < c.tank.box.lower[a] || place[a] > c.tank.box.upper[a];
+    }
+    // The face of a sensor in an inclined wall is inclined as well.
+    if (surface != nullptr && half > 0) {
+      const Point on = surface->nearest(point_of<D>(place)).place;
+      std::copy_n(on.begin(), D, place.begin());
     }
     if (!outside && square <= radius * radius) places.push_back(place);
   });

@@ -109,6 +109,19 @@ class Studies(Example):
         metrics = json.loads((root / "report/metrics.json").read_text(encoding="utf-8"))
         self.assertEqual(set(metrics["front"]), {"mps", "sph", "isph", "vof"})
 
+    def test_wedge_in_its_path(self):
+        said, root = self.run_section("A wedge in its path", ("sh allrun",))
+        for run in ("mps", "sph", "isph", "vof"):
+            self.assertRegex(said[0], rf"{run} +complete")
+        metrics = json.loads((root / "report/metrics.json").read_text(encoding="utf-8"))
+        self.assertEqual(set(metrics["front"]), {"mps", "sph", "isph", "vof"})
+        vof = json.loads((root / "runs/vof/manifest.json").read_text(encoding="utf-8"))
+        mps = json.loads((root / "runs/mps/manifest.json").read_text(encoding="utf-8"))
+        self.assertEqual(vof["case"]["obstacles"], mps["case"]["obstacles"])
+        self.assertEqual(mps["case"]["obstacles"][0]["polygon"], [[0.45, 0.0], [0.7, 0.0], [0.7, 0.15]])
+        page = (root / "report/index.html").read_text(encoding="utf-8")
+        self.assertIn('"outlines"', page)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -39,6 +39,56 @@ class MadeCases(FoamTest):
         self.assertEqual([f["on"] for f in case["forces"]], ["x+", "obstacle.0"])
         self.assertEqual(manifest["cells"], 1500)
 
+    def test_still_water_beside_a_wedge_of_cut_cells(self):
+        wedge = [[0.2, 0.0], [0.4, 0.0], [0.4, 0.2]]
+        text = case_text(
+            fluid=water([0.0, -G]), tank={"lower": [0.0, 0.0], "upper": [0.4, 0.3], "open": ["y+"]},
+            block=[box([0.0, 0.0], [0.4, 0.15])], obstacle=[{"polygon": wedge}],
+            probe=[{"name": "face", "position": [0.25, 0.05]}], force=[{"on": "obstacle.0", "name": "wedge"}])
+        folder, manifest = self.run_case(text, "cellsPerL=40")
+        self.assertLess(fastest(folder, "0.02"), 1e-3)
+        thickness = manifest["thickness"]
+        # Of 20 x 20 cells beside each other 190 have their middles inside, and perhaps the 20 on the face.
+        cut = manifest["solid_volume_cut_out"] / thickness / 1e-4
+        self.assertEqual(manifest["cells"], 1200 - round(cut))
+        self.assertIn(round(cut), range(190, 211))
+        self.assertAlmostEqual(manifest["water_volume_stated"] / thickness, 0.4 * 0.15 - (0.2**2 - 0.05**2) / 2, delta=1e-9)
+        self.assertAlmostEqual(manifest["water_volume_start"] / manifest["water_volume_stated"], 1.0, delta=0.03)
+        force = last_row(folder, "wedgeForce", "force.dat")
+        exact = RHO * G * 0.15**2 / 2 * thickness
+        self.assertAlmostEqual(force[1] / exact, 1.0, delta=0.05)
+        self.assertAlmostEqual(force[2] / exact, -1.0, delta=0.1)
+        depth = 0.15 - 0.05
+        self.assertAlmostEqual(last_row(folder, "face", "p")[1] / (RHO * G * depth), 1.0, delta=0.12)
+        self.assertEqual(manifest["case"]["obstacles"],
+                         [{"lower": [0.2, 0.0, 0.0], "upper": [0.4, 0.2, 0.0], "polygon": wedge}])
+
+    def test_still_water_around_a_body_from_an_stl_file(self):
+        # A pyramid that stands on the floor, 0.2 m wide and 0.2 m high, all under water.
+        corners = [(0.1, 0, 0.1), (0.3, 0, 0.1), (0.3, 0, 0.3), (0.1, 0, 0.3), (0.2, 0.2, 0.2)]
+        lines = ["solid pyramid"]
+        for triangle in [(0, 1, 2), (0, 2, 3), (1, 0, 4), (2, 1, 4), (3, 2, 4), (0, 3, 4)]:
+            lines += ["facet normal 0 0 0", "outer loop"]
+            lines += ["vertex {} {} {}".format(*corners[k]) for k in triangle]
+            lines += ["endloop", "endfacet"]
+        (self.scratch / "body.stl").write_text("\n".join([*lines, "endsolid"]) + "\n")
+        text = case_text(
+            3, fluid=water([0.0, -G, 0.0]),
+            tank={"lower": [0.0, 0.0, 0.0], "upper": [0.4, 0.4, 0.4], "open": ["y+"]},
+            block=[box([0.0, 0.0, 0.0], [0.4, 0.3, 0.4])], obstacle=[{"stl": "body.stl"}],
+            force=[{"on": "obstacle.0", "name": "body"}])
+        folder, manifest = self.run_case(text, "cellsPerL=20")
+        self.assertLess(fastest(folder, "0.02"), 1e-2)
+        volume = 0.2**2 * 0.2 / 3
+        self.assertAlmostEqual(manifest["solid_volume_cut_out"] / volume, 1.0, delta=0.1)
+        self.assertAlmostEqual(manifest["water_volume_stated"], 0.4 * 0.4 * 0.3 - volume, delta=1e-4)
+        # The weight of the water above it: what presses on its sides is in balance.
+        force = last_row(folder, "bodyForce", "force.dat")
+        weight = RHO * G * (0.2 * 0.2 * 0.3 - volume)
+        self.assertAlmostEqual(force[2] / -weight, 1.0, delta=0.03)
+        self.assertAlmostEqual(force[1] / weight, 0.0, delta=0.01)
+        self.assertEqual(len(manifest["case"]["obstacles"][0]["triangles"]), 6)
+
     def test_still_water_in_three_dimensions_with_gravity_along_z(self):
         text = case_text(
             3, fluid=water([0.0, 0.0, -G]),

@@ -68,6 +68,19 @@
     return {place, normal};
   }
 
+  // Corners of triangles, x, up and depth in turn, with the normal of each.
+  function trianglesOf(corners) {
+    const normal = [];
+    for (let i = 0; i < corners.length; i += 9) {
+      const u = [0, 1, 2].map((a) => corners[i + 3 + a] - corners[i + a]);
+      const v = [0, 1, 2].map((a) => corners[i + 6 + a] - corners[i + a]);
+      const n = [0, 1, 2].map((a) => u[(a + 1) % 3] * v[(a + 2) % 3] - u[(a + 2) % 3] * v[(a + 1) % 3]);
+      const length = Math.hypot(...n) || 1;
+      for (let k = 0; k < 3; ++k) normal.push(...n.map((value) => value / length));
+    }
+    return {place: corners, normal};
+  }
+
   // scene: {box: [x0, y0, z0, x1, y1, z1], space: what data.space holds}. Null where there is no WebGL.
   viewer.makeSpace = function (scene, palette) {
     const screen = document.createElement("canvas");
@@ -182,6 +195,7 @@
       draw(gl.LINES, {place: edgesOf(scene.box)}, 2, "#303030", 1);
       const whole = (box) => box.map((value, i) => (value === null ? scene.box[i] : value));
       for (const box of scene.space.obstacles) draw(gl.TRIANGLES, facesOf(whole(box)), 1, "#8a8a8a", 1);
+      for (const corners of scene.space.surfaces) draw(gl.TRIANGLES, trianglesOf(corners), 1, "#8a8a8a", 1);
       for (const boxes of scene.space.walls) draw(gl.TRIANGLES, facesOf(whole(boxes[shown.frame])), 1, "#e69f00", 1);
       drawWater(water, shown, pixels, null);
       for (const one of over) drawWater(one.water, shown, pixels, one.colour);

@@ -51,8 +51,19 @@
     context.setLineDash([]);
   }
 
+  // A body with a surface, where the plane cuts it.
+  function fillOutline(place, outline, colour) {
+    const {context} = place;
+    context.beginPath();
+    outline.forEach(([x, y], i) => (i ? context.lineTo(place.x(x), place.y(y)) : context.moveTo(place.x(x), place.y(y))));
+    context.closePath();
+    context.fillStyle = colour;
+    context.fill();
+  }
+
   function drawSolids(place, solids, region, frame) {
     for (const box of solids.obstacles) fillBox(place, box, "#8a8a8a");
+    for (const outline of solids.outlines) fillOutline(place, outline, "#8a8a8a");
     for (const boxes of solids.walls) fillBox(place, boxes[frame], "#e69f00");
     drawTank(place, solids, region);
   }

@@ -80,7 +80,7 @@ TEST(FreeSurface, IsNotDrawnAlongAWallThatMovesAndFollowsIt) {
 TEST(Solids, AreThoseOfTheManifestOverTheWidthOfTheColumn) {
   compare::Run run;
   run.physics = testing::dam_break();
-  run.physics.obstacles = std::vector<Extent>{{{0.29, 0.0, 0.0}, {0.3625, 0.0725, 0.0}}};
+  run.physics.obstacles = std::vector<SolidBody>{{{0.29, 0.0, 0.0}, {0.3625, 0.0725, 0.0}}};
   run.physics.moving_walls =
       nlohmann::json::array({{{"lower", {0.145, 0.0, 0.0}},
                               {"upper", {0.1595, 0.29, 0.0}},
@@ -107,8 +107,8 @@ TEST(Solids, InThreeDimensionsAreThoseThatTheMiddlePlaneCuts) {
   run.physics.dimension = 3;
   run.physics.tank->upper[2] = 0.4;
   run.physics.column.upper[2] = 0.4;
-  run.physics.obstacles = std::vector<Extent>{{{0.29, 0.0, 0.15}, {0.3, 0.1, 0.25}},
-                                              {{0.4, 0.0, 0.0}, {0.5, 0.1, 0.1}}};
+  run.physics.obstacles = std::vector<SolidBody>{{{0.29, 0.0, 0.15}, {0.3, 0.1, 0.25}},
+                                                 {{0.4, 0.0, 0.0}, {0.5, 0.1, 0.1}}};
   const Solids solids = solids_of(run);
   ASSERT_EQ(solids.obstacles.size(), 1U);
   EXPECT_NEAR(solids.obstacles[0].x0, 2.0, 1e-12);
