@@ -21,7 +21,7 @@ struct StudyInput {
   std::string programs;
 };
 
-void print_table(const nlohmann::json& study) {
+void print_study(const nlohmann::json& study) {
   std::printf("%s\nreference: %s\n", printable(study["title"].get<std::string>()).c_str(),
               study["reference"].get<std::string>().c_str());
   for (const nlohmann::json& run : study["runs"]) {
@@ -35,7 +35,7 @@ void print_table(const nlohmann::json& study) {
   }
 }
 
-void write_json(const std::string& where, const nlohmann::json& value) {
+void write_plan(const std::string& where, const nlohmann::json& value) {
   const std::string text = value.dump(1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (where == "-") {
     std::printf("%s\n", text.c_str());
@@ -53,9 +53,9 @@ void run_study(const StudyInput& arguments) {
   if (!arguments.only.empty() && out["runs"].empty())
     throw Error(arguments.study + ": found no run " + arguments.only + ", expected one (--only)");
   if (arguments.json.empty()) {
-    print_table(out);
+    print_study(out);
   } else {
-    write_json(arguments.json, out);
+    write_plan(arguments.json, out);
   }
 }
 

@@ -26,8 +26,8 @@ struct Row {
   std::vector<SnapshotPanel> panels;
 };
 
-/// Layout in mm; the origin is the figure's upper left corner.
-struct Layout {
+/// SnapshotLayout in mm; the origin is the figure's upper left corner.
+struct SnapshotLayout {
   double left = 12.0, right = 3.0, top = 9.0, bottom = 26.0, column_gap = 3.5, row_gap = 8.5;
   double x_span = 4.0;  ///< of every panel, over L
   double panel_width = 0.0;
@@ -136,7 +136,7 @@ std::string two_lines(std::string label) {
 }
 
 /// A bar with the colours of p/(rho g H) from 0 to 1.
-std::string colour_bar(const Layout& layout) {
+std::string colour_bar(const SnapshotLayout& layout) {
   const double width = 0.35;
   const double bottom = 11.5 / layout.height;
   return margins(0.5 - width / 2, 0.5 + width / 2, bottom + 2.5 / layout.height, bottom) +
@@ -182,8 +182,8 @@ double span_of(const StudyResult& study, const std::vector<Row>& rows) {
   return span;
 }
 
-Layout layout_of(const StudyResult& study, const std::vector<Row>& rows) {
-  Layout layout;
+SnapshotLayout layout_of(const StudyResult& study, const std::vector<Row>& rows) {
+  SnapshotLayout layout;
   layout.x_span = span_of(study, rows);
   const auto columns = double(study.runs.size());
   layout.panel_width =
@@ -209,7 +209,7 @@ std::string axes(bool first_column, bool last_row) {
 }
 
 /// Script of one row whose panels begin `top` mm below the figure's upper edge.
-std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout& layout,
+std::string row_script(const std::vector<Row>& rows, std::size_t r, const SnapshotLayout& layout,
                        const Scales& scales, double top) {
   const Row& row = rows[r];
   const double bottom = top + row.height * layout.scale();
@@ -234,7 +234,7 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Layout
 }
 
 /// Pictures and data of all panels.
-void add_pictures(const std::vector<Row>& rows, const Layout& layout, Figure& figure) {
+void add_pictures(const std::vector<Row>& rows, const SnapshotLayout& layout, Figure& figure) {
   Table water{"fig7", {"run", "time_s", "x_over_L", "y_over_L", "p_over_rho_g_H", "alpha"}, {}};
   Table surface{"fig7_surface", {"run", "time_s", "x0", "y0", "x1", "y1"}, {}};
   figure.images.push_back({"fig7_colours", colour_bar_image()});
@@ -256,7 +256,7 @@ void add_pictures(const std::vector<Row>& rows, const Layout& layout, Figure& fi
 Figure snapshot_figure(const StudyResult& study) {
   std::vector<Row> rows;
   for (Seconds time : study.study.snapshot_times) rows.push_back(make_row(study, time));
-  const Layout layout = layout_of(study, rows);
+  const SnapshotLayout layout = layout_of(study, rows);
   const Scales scales = study.reference_run().run.physics.scales();
 
   Figure figure;

@@ -77,10 +77,10 @@ void tell_of_front(Run& run, const FrontObservable& front, const FrontOptions& o
   for (std::string& notice : front.course()) run.notices.push_back(std::move(notice));
 }
 
-using Named = std::pair<std::string, FrontOptions>;
+using NamedFront = std::pair<std::string, FrontOptions>;
 
-std::vector<Named> front_variants_of(const Run& run, const FrontOptions& options) {
-  std::vector<Named> all;
+std::vector<NamedFront> front_variants_of(const Run& run, const FrontOptions& options) {
+  std::vector<NamedFront> all;
   if (run.physics.bed_depth().value_or(Metres(0.0)) > Metres(0.0)) {
     all.emplace_back("bed_share_x2", options).second.bed_share *= 2.0;
   } else {
@@ -98,9 +98,9 @@ std::vector<Named> front_variants_of(const Run& run, const FrontOptions& options
 }
 
 FrontWithVariants measure_front_variants(Run& run, const FrontOptions& options) {
-  std::vector<Named> all{{"front", options}};
+  std::vector<NamedFront> all{{"front", options}};
   if (!options.raw_maximum) {
-    for (Named& variant : front_variants_of(run, options)) all.push_back(std::move(variant));
+    for (NamedFront& variant : front_variants_of(run, options)) all.push_back(std::move(variant));
   }
   std::vector<std::unique_ptr<Observable>> observables;
   for (const auto& [name, of] : all)

@@ -10,9 +10,9 @@
 namespace surge::compare {
 namespace {
 
-class Gauge : public FrameObservable {
+class GaugeObservable : public FrameObservable {
  public:
-  Gauge(const Place& place, const std::string& name)
+  GaugeObservable(const Place& place, const std::string& name)
       : FrameObservable({{name, "m"}}), place_(place) {}
 
  protected:
@@ -40,7 +40,7 @@ std::unique_ptr<Observable> make_gauge(Parameters& parameters, const std::string
     const Vec3 at = stated_place(context.run, "gauges", *gauge, name);
     Place place{at[0], {}};
     if (physics.dimension == 3) place.across = at[across];
-    return std::make_unique<Gauge>(place, name);
+    return std::make_unique<GaugeObservable>(place, name);
   }
   Place place{parameters.required("x"), {}};
   if (physics.dimension == 3) place.across = parameters.number(std::string(1, "xyz"[across]));
@@ -55,7 +55,7 @@ std::unique_ptr<Observable> make_gauge(Parameters& parameters, const std::string
       parameters.fail("recorded", "no table of MeasureTool with Elevation at that place", "one");
     return recorded_gauge(*column, physics.floor(), name);
   }
-  return std::make_unique<Gauge>(place, name);
+  return std::make_unique<GaugeObservable>(place, name);
 }
 
 /// At the wall that the column stands at, in 3D over the whole width: at the start the height H of
@@ -63,7 +63,7 @@ std::unique_ptr<Observable> make_gauge(Parameters& parameters, const std::string
 std::unique_ptr<Observable> make_column_height(Parameters& parameters, const std::string& name,
                                                const ObservableContext& context) {
   (void)parameters;
-  return std::make_unique<Gauge>(Place{context.run.physics.column_wall(), {}}, name);
+  return std::make_unique<GaugeObservable>(Place{context.run.physics.column_wall(), {}}, name);
 }
 
 }  // namespace

@@ -55,15 +55,15 @@ class Layers {
 };
 
 /// The vertical through a place; its window seen from above, and half of the height of the box B.
-struct Window {
+struct HeightWindow {
   Vec3 place{};
   Extent level;  ///< unbounded along the vertical and where all of the width is meant
   double half = 0.0;
   std::vector<std::size_t> axes;  ///< level ones
 };
 
-Window window_at(FrameView& view, const Place& place) {
-  Window window;
+HeightWindow window_at(FrameView& view, const Place& place) {
+  HeightWindow window;
   window.place.fill(unknown);
   window.place[0] = place.x;
   if (place.across && view.physics().dimension == 3) window.place[view.across()] = *place.across;
@@ -91,7 +91,7 @@ struct Excess {
   double lid = 0.0;
 };
 
-Excess excess_in(FrameView& view, const Window& window) {
+Excess excess_in(FrameView& view, const HeightWindow& window) {
   Excess excess;
   const std::size_t up = view.up();
   const std::vector<std::uint8_t>& settled = view.settled();
@@ -118,7 +118,7 @@ Excess excess_in(FrameView& view, const Window& window) {
 }  // namespace
 
 double water_height(FrameView& view, const Place& place) {
-  const Window window = window_at(view, place);
+  const HeightWindow window = window_at(view, place);
   const Excess excess = excess_in(view, window);
   const double floor = view.physics().floor();
   std::vector<double> heights{floor, excess.lid};

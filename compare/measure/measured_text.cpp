@@ -4,18 +4,13 @@
 #include <cstdio>
 #include <ostream>
 
+#include "compare/read/foam_case.hpp"
 #include "particle/support/bounds.hpp"
 
 namespace surge::compare {
 namespace {
 
 using nlohmann::json;
-
-std::string six_digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
 
 std::string at_time(const std::optional<double>& value, Seconds time) {
   return (value ? six_digits(*value) : "none") + " at " + six_digits(time.value()) + " s";
@@ -44,7 +39,7 @@ void write_line(std::ostream& out, const TimeSeries& series) {
 }
 
 /// A field of a line of CSV.
-std::string quoted(const std::string& text) {
+std::string csv_quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -77,7 +72,7 @@ void write_csv(std::ostream& out, const std::vector<MeasuredSource>& sources) {
   const auto line = [&](const MeasuredSource& source, const std::string& name,
                         const std::string& unit, Seconds time, const std::string& place,
                         const std::optional<double>& value) {
-    out << quoted(source.name) << ',' << quoted(name) << ',' << unit << ','
+    out << csv_quoted(source.name) << ',' << csv_quoted(name) << ',' << unit << ','
         << number_text(time.value()) << ',' << place << ',' << (value ? number_text(*value) : "")
         << '\n';
   };

@@ -37,13 +37,13 @@ double decode(const char* bytes) {
   return static_cast<double>(std::bit_cast<T>(value));
 }
 
-struct ValueType {
+struct LegacyType {
   std::size_t bytes;
   Decode decode;
   int vtk;  ///< type of the array that keeps it
 };
 template <class T>
-ValueType value_type() {
+LegacyType value_type() {
   return {sizeof(T), decode<T>, vtkTypeTraits<T>::VTKTypeID()};
 }
 
@@ -54,8 +54,8 @@ std::string cased(std::string word, int (*to)(int)) {
   return word;
 }
 
-const ValueType* type_of(const std::string& name) {
-  static const std::map<std::string, ValueType> types{
+const LegacyType* type_of(const std::string& name) {
+  static const std::map<std::string, LegacyType> types{
       {"char", value_type<std::int8_t>()},
       {"unsigned_char", value_type<std::uint8_t>()},
       {"short", value_type<std::int16_t>()},
@@ -138,7 +138,7 @@ class Reader {
   /// looked for.
   Values values(const std::string& section, std::size_t tuples, std::size_t components,
                 const std::string& type) {
-    const ValueType* kind = type_of(type);
+    const LegacyType* kind = type_of(type);
     if (kind == nullptr) fail(section + ": values of type \"" + type + "\" are not known");
     const std::size_t number = tuples * components;
     const std::size_t least = binary_ ? kind->bytes : 2;

@@ -104,7 +104,7 @@ std::optional<std::string> other_bodies(const Physics& series, const Physics& ru
   const auto count = [](std::size_t n) { return std::to_string(n); };
   const auto same_solids = [&](const SolidBody& x, const SolidBody& y) {
     if (!x.surface || !y.surface) return !x.surface && !y.surface && same_box(x, y);
-    return same_solid(x, y, axes, tolerance * x.surface->bounds().upper[0]);
+    return same_solid(x, y, axes, case_tolerance * x.surface->bounds().upper[0]);
   };
   const std::vector<SolidBody> a = series.obstacles.value_or(std::vector<SolidBody>{});
   if (!run.obstacles && !a.empty()) return unlike("obstacles", count(a.size()), "not stated");

@@ -18,7 +18,7 @@ constexpr std::size_t most_rows = 5;         ///< besides the reference
 constexpr std::size_t most_title_words = 5;  ///< of an observable that a sentence can name
 
 /// What the runs are ranked by: the leading edge, or the first observable that is compared.
-struct Quantity {
+struct RankedQuantity {
   std::string key;  ///< "leading_edge", or that of metrics["observables"]
   std::string measure = "rms";
   std::string title;
@@ -41,8 +41,8 @@ json value_of(const json& entry, const char* name) {
 }
 
 /// The verdict on a run in a quantity; null where there is none.
-const json& verdict_of(const StudyResult& study, const json& metrics, const Quantity& quantity,
-                       const std::string& run) {
+const json& verdict_of(const StudyResult& study, const json& metrics,
+                       const RankedQuantity& quantity, const std::string& run) {
   const std::string& reference = study.study.reference;
   if (quantity.key == "leading_edge")
     return entry_at(metrics, pointer_to({"verdicts", "runs", run, "leading_edge", reference}));
@@ -52,9 +52,9 @@ const json& verdict_of(const StudyResult& study, const json& metrics, const Quan
 
 /// The first observable, in the study's order, of which a run has the measure, or, where none is
 /// named, any: the root of the mean square before others.
-std::optional<Quantity> observable_with(const StudyResult& study, const json& metrics,
-                                        const std::string& measure) {
-  std::optional<Quantity> found;
+std::optional<RankedQuantity> observable_with(const StudyResult& study, const json& metrics,
+                                              const std::string& measure) {
+  std::optional<RankedQuantity> found;
   for (const ObservedQuantity& observed : observed_quantities(study)) {
     for (const RunResult* run : study.measured()) {
       const json& measures =
@@ -62,7 +62,7 @@ std::optional<Quantity> observable_with(const StudyResult& study, const json& me
                                         "against", study.study.reference, "measures"}));
       if (!measures.is_object()) continue;
       for (const auto& [word, one] : measures.items()) {
-        const Quantity here{observed.key, word, observed.title, one.value("unit", "")};
+        const RankedQuantity here{observed.key, word, observed.title, one.value("unit", "")};
         // A moment is the run's own; the runs are ranked by their difference.
         const bool is_known = value_of(one, measure.empty() ? "E" : "run").is_number();
         if (is_known && word == (measure.empty() ? "rms" : measure)) return here;
@@ -73,8 +73,8 @@ std::optional<Quantity> observable_with(const StudyResult& study, const json& me
   return found;
 }
 
-std::optional<Quantity> ranking_quantity(const StudyResult& study, const json& metrics) {
-  if (study.has_front) return Quantity{"leading_edge", "rms", "Leading edge Z/L", "1"};
+std::optional<RankedQuantity> ranking_quantity(const StudyResult& study, const json& metrics) {
+  if (study.has_front) return RankedQuantity{"leading_edge", "rms", "Leading edge Z/L", "1"};
   return observable_with(study, metrics, "");
 }
 
@@ -154,13 +154,13 @@ class AnswerSection {
   }
 
   [[nodiscard]] std::optional<double> distance(const RunResult& run,
-                                               const Quantity& quantity) const {
+                                               const RankedQuantity& quantity) const {
     const json e = value_of(verdict_of(study_, metrics_, quantity, run.study.name), "E");
     return e.is_number() ? std::optional(std::abs(e.get<double>())) : std::nullopt;
   }
 
   /// The nearest most_rows, in the study's order; none that cannot be told before one that can.
-  void keep_nearest(std::vector<const RunResult*>& runs, const Quantity& quantity) const {
+  void keep_nearest(std::vector<const RunResult*>& runs, const RankedQuantity& quantity) const {
     if (runs.size() <= most_rows) return;
     std::vector<const RunResult*> by_distance = runs;
     const auto key = [&](const RunResult* run) {
@@ -179,7 +179,7 @@ class AnswerSection {
     for (const RunResult* run : study_.measured())
       if (value_of(entry_at(metrics_, pointer_to({"front", run->study.name})), "impact_time_s")
               .is_number())
-        moment_ = Quantity{"impact", "", "Impact on the far wall", "s"};
+        moment_ = RankedQuantity{"impact", "", "Impact on the far wall", "s"};
     if (!moment_) moment_ = observable_with(study_, metrics_, "arrival");
     if (moment_) out["moment"] = {{"key", moment_->key}, {"title", moment_->title}};
   }
@@ -199,7 +199,8 @@ class AnswerSection {
     return nullptr;
   }
 
-  [[nodiscard]] json row_of(const RunResult& run, const std::optional<Quantity>& quantity) const {
+  [[nodiscard]] json row_of(const RunResult& run,
+                            const std::optional<RankedQuantity>& quantity) const {
     const json& timing = entry_at(metrics_, pointer_to({"timing", run.study.name}));
     json row{{"run", run.study.name},
              {"label", run.label()},
@@ -253,7 +254,7 @@ class AnswerSection {
 
   const StudyResult& study_;
   const json& metrics_;
-  std::optional<Quantity> moment_;
+  std::optional<RankedQuantity> moment_;
 };
 
 }  // namespace

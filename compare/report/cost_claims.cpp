@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace {
 
 /// A quantity in which the cheaper method is compared with the other, and how that came out.
-struct Comparison {
+struct TimedRuns {
   std::string where;  ///< "per step with the paper's step rule"
   Count count;
 };
@@ -35,12 +35,12 @@ Judged timed(double value, std::optional<double> scatter, double repeats = 1.0) 
   return {value, coverage * *scatter * value / std::sqrt(repeats)};
 }
 
-std::vector<Comparison> compare_whole_runs(const Judging& judging, Claim& claim) {
+std::vector<TimedRuns> compare_whole_runs(const Judging& judging, Claim& claim) {
   const auto& [study, metrics, statement] = judging;
   const Runs cheap = complete_runs(study, statement.methods.at(0));
   const Runs dear = complete_runs(study, statement.methods.at(1));
   const auto scatter = timing_scatter(metrics);
-  std::vector<Comparison> out;
+  std::vector<TimedRuns> out;
   for (const auto& [name, unit, pointer] :
        {std::tuple{"per step", "ms per step, ", "/ms_per_step"},
         std::tuple{"per simulated second", "s per simulated s, ", "/s_per_simulated_s"}}) {
@@ -84,12 +84,12 @@ double repeats_of(const json& point) {
 }
 
 /// The timed runs of both methods with the same neighbour search, at the largest common size.
-std::vector<Comparison> compare_timed_runs(const Judging& judging, Claim& claim) {
+std::vector<TimedRuns> compare_timed_runs(const Judging& judging, Claim& claim) {
   const json& metrics = judging.metrics;
   const std::string &cheaper = judging.statement.methods.at(0),
                     &dearer = judging.statement.methods.at(1);
   const auto scatter = timing_scatter(metrics);
-  std::vector<Comparison> out;
+  std::vector<TimedRuns> out;
   for (const auto& [dear_name, dear] : metrics["scaling"].items()) {
     for (const auto& [cheap_name, cheap] : metrics["scaling"].items()) {
       if (dear["method"] != dearer || cheap["method"] != cheaper ||
@@ -138,15 +138,15 @@ std::optional<double> timing_scatter(const json& metrics) {
 
 Claim judge_cost(const Judging& judging) {
   Claim claim = claim_of(judging.statement);
-  std::vector<Comparison> all = compare_whole_runs(judging, claim);
-  for (Comparison& timed_runs : compare_timed_runs(judging, claim))
+  std::vector<TimedRuns> all = compare_whole_runs(judging, claim);
+  for (TimedRuns& timed_runs : compare_timed_runs(judging, claim))
     all.push_back(std::move(timed_runs));
   claim.evidence.push_back(
       {"scatter of repeated timings, a standard deviation over the median",
        timing_scatter(judging.metrics) ? json(*timing_scatter(judging.metrics)) : json()});
   Count sum;
   std::string fails;
-  for (const Comparison& comparison : all) {
+  for (const TimedRuns& comparison : all) {
     sum += comparison.count;
     if (comparison.count.met < comparison.count.all)
       fails += (fails.empty() ? "" : ", ") + comparison.where;

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// A table of the file that knows which keys it may have; all of them must be there.
-class Table {
+class BaselineTable {
  public:
-  Table(const json& value, std::string place) : value_(value), place_(std::move(place)) {
+  BaselineTable(const json& value, std::string place) : value_(value), place_(std::move(place)) {
     if (!value_.is_object()) fail("", json_shown(value_), "a table");
   }
 
@@ -73,7 +73,9 @@ class Table {
     return list;
   }
 
-  [[nodiscard]] Table table(const std::string& key) { return {at(key), place_ + " " + key + ":"}; }
+  [[nodiscard]] BaselineTable table(const std::string& key) {
+    return {at(key), place_ + " " + key + ":"};
+  }
 
   [[nodiscard]] bool has(const std::string& key) const { return value_.contains(key); }
 
@@ -112,7 +114,7 @@ std::string checksum_of(json root) {
   return std::to_string(sum);
 }
 
-BaselineCurve read_curve(Table table) {
+BaselineCurve read_curve(BaselineTable table) {
   BaselineCurve curve;
   curve.observable = table.text("observable");
   curve.series = table.text("series");
@@ -128,7 +130,7 @@ BaselineCurve read_curve(Table table) {
   for (std::size_t i = 1; i < curve.at.size(); ++i)
     if (curve.at[i] <= curve.at[i - 1])
       table.fail(places, number_text(curve.at[i]), "increasing places");
-  Table tolerance = table.table("tolerance");
+  BaselineTable tolerance = table.table("tolerance");
   curve.tolerance = {tolerance.tolerance("absolute"), tolerance.tolerance("relative"),
                      tolerance.tolerance("time_s")};
   tolerance.finish();
@@ -151,22 +153,22 @@ json to_json(const BaselineCurve& curve) {
   return out;
 }
 
-void read_head(Table& table, Baseline& baseline) {
-  Table measured = table.table("measured");
+void read_head(BaselineTable& table, Baseline& baseline) {
+  BaselineTable measured = table.table("measured");
   baseline.measured = {measured.text("by"),     measured.text("date"),     measured.text("version"),
                        measured.text("commit"), measured.text("compiler"), measured.text("cpu"),
                        measured.text("reason")};
   measured.finish();
-  Table source = table.table("read");
+  BaselineTable source = table.table("read");
   for (const std::string& key : source.keys()) baseline.read[key] = source.words(key);
-  Table definition = table.table("definition");
+  BaselineTable definition = table.table("definition");
   baseline.front.strip_height = Metres(definition.number("strip_height_m"));
   baseline.front.linking_length = definition.number("linking_length_spacings");
   baseline.front.bed_share = definition.number("bed_share");
   definition.finish();
-  Table identity = table.table("identity");
+  BaselineTable identity = table.table("identity");
   for (const std::string& key : identity.keys()) baseline.identity[key] = identity.text(key);
-  Table window = table.table("window");
+  BaselineTable window = table.table("window");
   baseline.from = window.number("from_s");
   baseline.until = window.number("until_s");
   baseline.because = window.text("because");
@@ -177,7 +179,7 @@ void read_head(Table& table, Baseline& baseline) {
 
 Baseline read_baseline(const fs::path& file) {
   const json root = read_json(file);
-  Table table(root, file.string() + ":");
+  BaselineTable table(root, file.string() + ":");
   if (!table.has("format") || table.number("format") != format)
     table.fail("format", table.has("format") ? root["format"].dump() : "nothing",
                std::to_string(format) + " (one of another version: remove it and --bless again)");
@@ -190,11 +192,11 @@ Baseline read_baseline(const fs::path& file) {
   if (!curves.is_array() || curves.empty())
     table.fail("curves", curves.dump(), "a list of curves, one at least");
   for (std::size_t k = 0; k < curves.size(); ++k)
-    baseline.curves.push_back(
-        read_curve(Table(curves[k], file.string() + ": curves[" + std::to_string(k) + "]:")));
-  Table values = table.table("values");
+    baseline.curves.push_back(read_curve(
+        BaselineTable(curves[k], file.string() + ": curves[" + std::to_string(k) + "]:")));
+  BaselineTable values = table.table("values");
   for (const std::string& key : values.keys()) {
-    Table value = values.table(key);
+    BaselineTable value = values.table(key);
     baseline.values[key] = {value.number("value"), value.tolerance("tolerance")};
     value.finish();
   }

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string quoted(const std::string& text) {
+std::string in_marks(const std::string& text) {
   std::string out = "\"";
   return out.append(text).append("\"");
 }
@@ -56,7 +56,7 @@ std::string answer(const StudyRun& run, const fs::path& programs, const std::str
 
 json particle_case(const StudyRun& run, const fs::path& programs) {
   if (!fs::is_regular_file(run.case_file))
-    refuse(run, "case", quoted(run.case_path.string()), "an existing case file");
+    refuse(run, "case", in_marks(run.case_path.string()), "an existing case file");
   std::vector<std::string> arguments{"check", run.case_file.string(), "--json"};
   for (const std::string& setting : run.settings) {
     arguments.emplace_back("--set");
@@ -72,7 +72,7 @@ json particle_case(const StudyRun& run, const fs::path& programs) {
 
 /// A folder with an OpenFOAM case, whose one dictionary takes all settings.
 json foam_folder(const StudyRun& run) {
-  const std::string found = quoted(run.case_path.string());
+  const std::string found = in_marks(run.case_path.string());
   if (!fs::is_directory(run.case_file))
     refuse(run, "case", found, "an existing OpenFOAM case, or a case file (.toml)");
   for (const char* file : {"Allrun", "system/caseParameters"})
@@ -86,7 +86,7 @@ json foam_folder(const StudyRun& run) {
       std::vector<std::string> known;
       for (const auto& entry : parameters.items()) known.push_back(entry.key());
       const std::string near = nearest(key, known);
-      refuse(run, "set", quoted(setting),
+      refuse(run, "set", in_marks(setting),
              "an entry of " + (run.case_file / "system/caseParameters").string() +
                  (near.empty() ? "" : " (" + near + "?)"));
     }
@@ -98,7 +98,7 @@ json foam_folder(const StudyRun& run) {
 /// A case file that surge-foam makes an OpenFOAM case of.
 json foam_case(const StudyRun& run) {
   if (!fs::is_regular_file(run.case_file))
-    refuse(run, "case", quoted(run.case_path.string()), "an existing case file");
+    refuse(run, "case", in_marks(run.case_path.string()), "an existing case file");
   std::vector<std::string> settings;
   for (const std::string& setting : run.settings)
     if (!setting.starts_with("foam.")) settings.push_back(setting);
@@ -111,10 +111,10 @@ json foam_case(const StudyRun& run) {
 void check_files(const StudyRun& run) {
   const bool pattern = run.case_file.filename().string().find('*') != std::string::npos;
   if (!pattern && !fs::exists(run.case_file))
-    refuse(run, "source", quoted(run.case_path.string()),
+    refuse(run, "source", in_marks(run.case_path.string()),
            "an existing folder or file, or a pattern with *");
   if (run.map && !fs::is_regular_file(*run.map))
-    refuse(run, "map", quoted(run.map->string()), "an existing map file");
+    refuse(run, "map", in_marks(run.map->string()), "an existing map file");
 }
 
 json resolve(const StudyRun& run, const fs::path& programs) {
