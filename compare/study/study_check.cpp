@@ -96,16 +96,25 @@ json foam_folder(const StudyRun& run) {
 }
 
 /// A case file that surge-foam makes an OpenFOAM case of.
-json foam_case(const StudyRun& run) {
+json foam_case(const StudyRun& run, const fs::path& programs) {
   if (!fs::is_regular_file(run.case_file))
     refuse(run, "case", quoted(run.case_path.string()), "an existing case file");
-  std::vector<std::string> settings;
-  for (const std::string& setting : run.settings)
-    if (!setting.starts_with("foam.")) settings.push_back(setting);
+  std::vector<std::string> settings, arguments{"check", run.case_file.string(), "--json"};
+  for (const std::string& setting : run.settings) {
+    const bool foam = setting.starts_with("foam.");
+    arguments.emplace_back(foam ? "--foam" : "--set");
+    arguments.push_back(foam ? setting.substr(5) : setting);
+    if (!foam) settings.push_back(setting);
+  }
+  const std::string said = answer(run, programs, "surge-foam", arguments);
+  const json told = json::parse(said, nullptr, false);
+  if (!told.is_object() || !told.contains("size"))
+    throw Error(run.place + ": " + run.name + ": surge-foam check --json printed something " +
+                "else than a size: " + one_line(said, ""));
   const TomlTable root = TomlTable::read(run.case_file, settings);
   const Case flow = read_case(root);
   check_case(flow, root);
-  return {{"case", to_json(flow)}};
+  return {{"case", to_json(flow)}, {"size", told.at("size")}};
 }
 
 void check_files(const StudyRun& run) {
@@ -124,7 +133,7 @@ json resolve(const StudyRun& run, const fs::path& programs) {
     return nullptr;
   }
   try {
-    return run.made_from_case_file() ? foam_case(run) : foam_folder(run);
+    return run.made_from_case_file() ? foam_case(run, programs) : foam_folder(run);
   } catch (const Error& error) {
     const std::string text = error.what();
     throw Error(text.starts_with(run.place) ? text : run.place + ": " + run.name + ": " + text);

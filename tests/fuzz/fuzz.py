@@ -38,11 +38,29 @@ def command(program: Path, target: str, work: Path, options: argparse.Namespace)
     return words
 
 
+def refused(program: Path, target: str) -> list[str]:
+    """Inputs of the corpus that the reader does not take, and why: from those nothing gets far into it.
+    Names that begin with `refused` are of inputs that are to be refused."""
+    corpus = HERE / "corpus" / target
+    files = [file for file in sorted(corpus.iterdir()) if not file.name.startswith("refused")]
+    done = subprocess.run([str(program), *map(str, files)], capture_output=True, text=True, errors="replace",
+                          check=False, stdin=subprocess.DEVNULL,
+                          env={**os.environ, "ASAN_OPTIONS": SANITIZER, "OMP_NUM_THREADS": "1",
+                               "SURGE_FUZZ_TELL": "1"})
+    verdicts = re.findall(r"^verdict: (.*)", done.stderr, re.MULTILINE)
+    if done.returncode != 0 or len(verdicts) != len(files):
+        return [f"{target}: the corpus ends it:\n{done.stderr[-6000:]}"]
+    return [f"{file}: not taken: {verdict}" for file, verdict in zip(files, verdicts) if verdict != "taken"]
+
+
 def run(target: str, options: argparse.Namespace, work: Path) -> int:
     program = options.programs / f"{target}_fuzz"
     if not program.is_file():
         print(f"{program}: found none, expected it built: cmake --preset fuzz && "
               "cmake --build --preset fuzz (./Alltest -L fuzz does both)")
+        return 1
+    if stale := refused(program, target):
+        print("\n".join(stale))
         return 1
     (work / "found").mkdir(parents=True, exist_ok=True)
     done = subprocess.run(command(program, target, work, options), capture_output=True, text=True,
@@ -50,9 +68,9 @@ def run(target: str, options: argparse.Namespace, work: Path) -> int:
                           timeout=options.seconds + 120,
                           env={**os.environ, "ASAN_OPTIONS": SANITIZER, "OMP_NUM_THREADS": "1"})
     count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
-    cover = re.findall(r"cov: (\d+)", done.stderr)
+    cover = re.findall(r"cov: (\d+)", done.stderr) or ["?"]
     print(f"{target}: {count[1] if count else '?'} inputs in {options.seconds} s, "
-          f"{cover[-1] if cover else '?'} edges covered, "
+          f"{cover[-1]} edges covered (at first {cover[0]}), "
           f"{'nothing found' if done.returncode == 0 else 'FOUND (see below)'}")
     if done.returncode == 0:
         # A target that never got to its reader would find nothing for ever.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -50,16 +51,51 @@ inline const Scratch& scratch() {
   return folder;
 }
 
+/// Whether a reader took the input. Where SURGE_FUZZ_TELL is set a line says so for each input, in
+/// their order: a corpus that no reader takes any more would never get far into it.
+class Verdict {
+ public:
+  Verdict() = default;
+  Verdict(const Verdict&) = delete;
+  Verdict& operator=(const Verdict&) = delete;
+  ~Verdict() { tell(); }
+  void begin() {
+    tell();
+    begun_ = true;
+    taken_ = false;
+    refusal_.clear();
+  }
+  void take() { taken_ = true; }
+  void refuse(const char* why) { refusal_ = why; }
+
+ private:
+  void tell() const {
+    if (!begun_ || std::getenv("SURGE_FUZZ_TELL") == nullptr) return;
+    std::fprintf(stderr, "verdict: %s\n", taken_ ? "taken" : refusal_.c_str());
+  }
+  bool begun_ = false, taken_ = false;
+  std::string refusal_;
+};
+
+inline Verdict& verdict() {
+  static Verdict of_this_input;
+  return of_this_input;
+}
+
+/// The input as text; each target asks for it once.
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  verdict().begin();
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// What a reader says of an input does not matter here; that it says it does.
+/// A reader may take an input or refuse it; both are right.
 template <class Read>
 void try_reading(Read&& read) {
   try {
     read();
-  } catch (const Error&) {
+    verdict().take();
+  } catch (const Error& error) {
+    verdict().refuse(error.what());
   }
 }
 

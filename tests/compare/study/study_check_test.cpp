@@ -62,6 +62,7 @@ TEST(StudyCheck, EachRunIsResolvedByItsProgram) {
   EXPECT_EQ(study.runs[1].resolved.at("case").at("method").at("name"), "sph");
   EXPECT_EQ(study.runs[1].resolved.at("size").at("fluid_particles"), 200);
   EXPECT_EQ(study.runs[2].resolved.at("case").at("spacing"), 0.029);
+  EXPECT_GT(study.runs[2].resolved.at("size").at("disk_bytes"), 1e6);
 
   const nlohmann::json told = to_json(study);
   EXPECT_EQ(told.at("reference"), "ref");
@@ -148,6 +149,18 @@ TEST(StudyCheck, SettingsThatAProgramDoesNotHaveAreNamed) {
       refusal(head() + run("ref", "interFoam", (source / "particle/cases/dam_break.toml").string(),
                            "\"resolution.spacing=0.011\"")),
       HasSubstr("run.0: ref: "));
+}
+
+TEST(StudyCheck, SettingsOfAnOpenFoamCaseAreThoseThatItsMakerHas) {
+  const auto said = [](const std::string& setting) {
+    return refusal(head() + run("ref", "interFoam",
+                                (source / "particle/cases/dam_break.toml").string(), setting));
+  };
+  EXPECT_THAT(said("\"foam.cellsPerK=10\""),
+              AllOf(HasSubstr("study.toml:6: run.0: ref: --foam cellsPerK=10: found no such"),
+                    HasSubstr("cellsPerL")));
+  EXPECT_THAT(said("\"foam.maxCo=-1\""), HasSubstr("maxCo"));
+  EXPECT_THAT(said("\"foam.cellsPerL=1000000\""), HasSubstr("cells"));
 }
 
 TEST(StudyCheck, RunsThatAreComparedComputeTheSameCase) {
