@@ -27,7 +27,7 @@ SANITIZER = "detect_leaks=0:detect_container_overflow=0:allocator_may_return_nul
 def command(program: Path, target: str, work: Path, options: argparse.Namespace) -> list[str]:
     corpus = HERE / "corpus" / target
     words = [str(program), str(work / "found"), *([str(corpus)] if corpus.is_dir() else [])]
-    for key, value in {"max_total_time": options.seconds, "timeout": LONGEST_S, "seed": options.seed,
+    for key, value in {"detect_leaks": 0, "max_total_time": options.seconds, "timeout": LONGEST_S, "seed": options.seed,
                        "rss_limit_mb": MEMORY_MIB, "malloc_limit_mb": ONE_BLOCK_MIB,
                        "max_len": LONGEST_INPUT, "artifact_prefix": f"{work}/",
                        "print_final_stats": 1}.items():
@@ -43,7 +43,7 @@ def refused(program: Path, target: str) -> list[str]:
     Names that begin with `refused` are of inputs that are to be refused."""
     corpus = HERE / "corpus" / target
     files = [file for file in sorted(corpus.iterdir()) if not file.name.startswith("refused")]
-    done = subprocess.run([str(program), *map(str, files)], capture_output=True, text=True, errors="replace",
+    done = subprocess.run([str(program), "-detect_leaks=0", *map(str, files)], capture_output=True, text=True, errors="replace",
                           check=False, stdin=subprocess.DEVNULL,
                           env={**os.environ, "ASAN_OPTIONS": SANITIZER, "OMP_NUM_THREADS": "1",
                                "SURGE_FUZZ_TELL": "1"})

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -51,6 +52,19 @@ inline const Scratch& scratch() {
   return folder;
 }
 
+/// The same with files in it that an input may name.
+inline const Scratch& scratch_with(std::initializer_list<const char*> names) {
+  static const bool put = [&] {
+    for (const char* name : names) {
+      std::filesystem::create_directories((scratch().path() / name).parent_path());
+      scratch().put(name, "");
+    }
+    return true;
+  }();
+  (void)put;
+  return scratch();
+}
+
 /// Whether a reader took the input. Where SURGE_FUZZ_TELL is set a line says so for each input, in
 /// their order: a corpus that no reader takes any more would never get far into it.
 class Verdict {
@@ -66,7 +80,7 @@ class Verdict {
     refusal_.clear();
   }
   void take() { taken_ = true; }
-  void refuse(const char* why) { refusal_ = why; }
+  void refuse(const char* why) { refusal_.append(refusal_.empty() ? "" : " | ").append(why); }
 
  private:
   void tell() const {
