@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <thread>
@@ -70,6 +71,18 @@ json particle_case(const StudyRun& run, const fs::path& programs) {
   return resolved;
 }
 
+/// Whether a value could stand where another one does: numbers for numbers, finite ones and as
+/// many, and none below zero in the place of one that is not.
+bool is_like(const json& before, const json& value) {
+  const auto finite = [](const json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
+  if (before.is_number())
+    return finite(value) && (before.get<double>() < 0.0 || value.get<double>() >= 0.0);
+  // Words, one or several: the case knows which.
+  if (!before.is_array() || !std::all_of(before.begin(), before.end(), finite)) return true;
+  return value.is_array() && value.size() == before.size() &&
+         std::all_of(value.begin(), value.end(), finite);
+}
+
 /// A folder with an OpenFOAM case, whose one dictionary takes all settings.
 json foam_folder(const StudyRun& run) {
   const std::string found = quoted(run.case_path.string());
@@ -90,7 +103,11 @@ json foam_folder(const StudyRun& run) {
              "an entry of " + (run.case_file / "system/caseParameters").string() +
                  (near.empty() ? "" : " (" + near + "?)"));
     }
-    parameters[key] = parameter_value(setting.substr(setting.find('=') + 1));
+    const json value = parameter_value(setting.substr(setting.find('=') + 1));
+    if (!is_like(parameters[key], value))
+      refuse(run, "set", quoted(setting),
+             "a value like that of the case, " + parameters[key].dump());
+    parameters[key] = value;
   }
   return {{"parameters", parameters}};
 }

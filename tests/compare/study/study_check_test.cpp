@@ -163,6 +163,17 @@ TEST(StudyCheck, SettingsOfAnOpenFoamCaseAreThoseThatItsMakerHas) {
   EXPECT_THAT(said("\"foam.cellsPerL=1000000\""), HasSubstr("cells"));
 }
 
+TEST(StudyCheck, SettingsOfAnOpenFoamFolderAreLikeThoseThatTheyReplace) {
+  for (const std::string wrong : {"cellsPerL=abc", "cellsPerL=-4", "endTime=nan", "maxCo=(1 2)",
+                                  "gravity=(0 -9.81)", "gravity=(0 x 0)", "gravity=3"})
+    EXPECT_THAT(refusal(head() + foam("ref", '"' + wrong + '"')),
+                AllOf(HasSubstr("study.toml:6: run.0.set: found \"" + wrong + "\""),
+                      HasSubstr("expected a value like that of the case")));
+  for (const std::string right : {"cellsPerL=4", "nuWater=1e-6", "gravity=(1 -9.81 0)",
+                                  "timeScheme=CrankNicolson 0.9", "momentumPredictor=yes"})
+    EXPECT_NO_THROW((void)checked(head() + foam("ref", '"' + right + '"'))) << right;
+}
+
 TEST(StudyCheck, RunsThatAreComparedComputeTheSameCase) {
   const std::string other =
       particles("ref", "") + particles("moon", "\"fluid.gravity=[0, -1.62]\"");
