@@ -102,7 +102,11 @@ class Builder {
     Axis pieces;
     std::vector<Face> all = faces(a);
     const std::optional<double> coarse = a == mesh_.up ? coarse_from() : std::nullopt;
-    if (coarse) all.insert(mesh_.up_is_plus ? all.end() - 1 : all.begin() + 1, {*coarse, "coarse"});
+    // A wall that moves may end just there.
+    const auto last = mesh_.up_is_plus ? all.end() - 1 : all.begin() + 1;
+    const Face& inner = mesh_.up_is_plus ? *(last - 1) : *last;
+    if (coarse && std::abs(inner.place - *coarse) > 1e-6 * mesh_.cell)
+      all.insert(last, {*coarse, "coarse"});
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
       const bool grows = coarse && (mesh_.up_is_plus ? i + 2 == all.size() : i == 0);
       pieces.push_back(grows ? grown(all[i].place, all[i + 1].place) : even(a, all[i], all[i + 1]));
@@ -148,6 +152,9 @@ class Builder {
     for (const FluidBlock& block : case_.blocks) add(block.box.lower[a], block.box.upper[a]);
     for (const Box& box : case_.obstacles) add(box.lower[a], box.upper[a]);
     if (highest > begin * (1.0 - 1e-9)) return std::nullopt;
+    highest = 0.0;
+    for (const MovingWall& wall : case_.moving_walls) add(wall.box.lower[a], wall.box.upper[a]);
+    if (highest > begin + 1e-6 * mesh_.cell) return std::nullopt;
     return floor + sign * begin;
   }
 

@@ -5,6 +5,7 @@
 
 #include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
+#include "particle/support/printable.hpp"
 
 namespace surge::foam {
 
@@ -33,8 +34,7 @@ std::string header(std::string_view kind, std::string_view object) {
 }
 
 std::string comment(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += static_cast<unsigned char>(c) < 32 ? '?' : c;
+  std::string out = printable(text);
   // A comment that ends so goes on in the next line.
   while (!out.empty() && out.back() == '\\') out.back() = '/';
   return out;

@@ -80,6 +80,7 @@ Vec3 frame_vector(const Run& run, const Vec3& v) {
 }  // namespace
 
 Recorded read_recorded_csv(const fs::path& file, const std::vector<std::string>& columns) {
+  require_inside(file, file.parent_path());
   std::ifstream in = open_regular(file, most_table_bytes, "what the run recorded");
   std::string line;
   std::getline(in, line);
@@ -132,6 +133,7 @@ FoamTable read_foam_table(const Run& run, const std::string& name, const std::st
                 " in it, expected what the function object recorded");
   FoamTable table;
   for (const auto& [start, path] : files) {
+    require_inside(path, run.path);
     std::ifstream in = open_regular(path, most_table_bytes, "what was recorded");
     table.comments.clear();
     bool first = true;

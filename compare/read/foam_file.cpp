@@ -11,6 +11,8 @@
 #include <memory>
 #include <utility>
 
+#include "particle/support/regular_file.hpp"
+
 namespace surge::compare {
 
 namespace fs = std::filesystem;
@@ -33,19 +35,9 @@ class Descriptor {
   int number_;
 };
 
-bool is_inside(const fs::path& file, const fs::path& root) {
-  const fs::path inner = fs::weakly_canonical(file);
-  const fs::path outer = fs::weakly_canonical(root);
-  const auto [a, b] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
-  return a == outer.end();
-}
-
 /// Opens without waiting: a pipe that nobody writes to would hold the program for ever.
 Descriptor open_regular(const fs::path& file, const fs::path& root) {
-  if (!is_inside(file, root)) {
-    throw Error(file.string() + ": leads out of " + root.string() +
-                "; files inside it expected (copy the file there)");
-  }
+  require_inside(file, root);
   Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (opened.get() < 0) throw Error(file.string() + ": cannot be opened: " + std::strerror(errno));
   struct stat found {};

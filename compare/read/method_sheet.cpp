@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "particle/support/error.hpp"
+#include "particle/support/regular_file.hpp"
 #include "particle/support/json.hpp"
 
 namespace surge::compare {
@@ -86,6 +87,7 @@ std::optional<MethodSheet> read_method_sheet(const Run& run) {
   const auto file = run.path / "method.json";
   std::error_code failed;
   if (!std::filesystem::exists(file, failed)) return std::nullopt;
+  require_inside(file, run.path);
   const json document = read_json(file);
   try {
     return sheet_from(document);

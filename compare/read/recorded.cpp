@@ -140,7 +140,8 @@ std::optional<double> number_of(const json& manifest, const char* pointer) {
 /// Rows of a table without its header; empty where there is no such file.
 std::optional<double> rows_of(const fs::path& file) {
   std::error_code failed;
-  if (!fs::exists(file, failed)) return std::nullopt;
+  if (!fs::exists(fs::symlink_status(file, failed))) return std::nullopt;
+  require_inside(file, file.parent_path());
   std::ifstream in = open_regular(file, most_table_bytes, "a table of steps");
   double rows = -1.0;
   for (std::string line; std::getline(in, line);)
@@ -205,6 +206,7 @@ void check_manifest(const json& manifest, const fs::path& file) {
 }
 
 json read_manifest(const fs::path& file) {
+  require_inside(file, file.parent_path());
   json manifest = read_json(file);
   check_manifest(manifest, file);
   return manifest;

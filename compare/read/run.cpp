@@ -108,7 +108,7 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
   if (!folder && !pattern && !fs::exists(run.path))
     throw Error(run.path.string() + ": no such file or folder");
   const fs::path manifest = run.path / "manifest.json";
-  const bool stated = folder && fs::exists(manifest);
+  const bool stated = folder && fs::exists(fs::symlink_status(manifest));
   if (stated) {
     refuse_options(run.path, options);
     apply_manifest(run, manifest);

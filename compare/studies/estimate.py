@@ -8,7 +8,6 @@ and hold within a factor of two; the estimate is one of the whole plan, not of e
 """
 
 import json
-import math
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -133,18 +132,8 @@ def _foam(run: Run, rates: dict[str, float | None]) -> float | None:
         cells = 36 * entries["cellsPerL"] ** 2
         steps = 60 * entries["cellsPerL"] * entries["endTime"] * 0.5 / entries["maxCo"]
     else:
-        cells, steps = _cells_and_steps(run.resolved["case"])
+        cells, steps = (run.resolved["size"][key] for key in ("cells", "steps"))
     return FOAM_START_S + rate * VOF_CELL * cells * steps / min(run.threads, 4) ** 0.7
-
-
-def _cells_and_steps(case: dict) -> tuple[float, float]:
-    """Of a case whose mesh is as wide as its spacing; the speed is that of a fall through the tank."""
-    spacing, tank = case["spacing"], case["tank"]
-    sizes = [(b - a) / spacing for a, b in zip(tank["lower"], tank["upper"])][:case["dimension"]]
-    cells = math.prod(max(size, 1.0) for size in sizes)
-    height = max(b - a for a, b in zip(tank["lower"], tank["upper"]))
-    speed = math.sqrt(2 * math.hypot(*case["fluid"]["gravity"]) * height)
-    return cells, case["time"]["end"] * speed / (0.5 * spacing)
 
 
 def _rate(method: str, rates: dict[str, float | None], preset: str = PAPER) -> float | None:

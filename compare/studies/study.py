@@ -125,7 +125,7 @@ class Run:
             if self.program == "surge-particle":
                 expected = self.resolved["size"]["memory_bytes"] / 2**20
             elif self.made_from_case_file:
-                expected = _foam_size(self)["memory_bytes"] / 2**20 + FOAM_PROCESS_MB * (self.threads - 1)
+                expected = self.resolved["size"]["memory_bytes"] / 2**20 + FOAM_PROCESS_MB * (self.threads - 1)
             else:
                 cells = 36 * self.resolved["parameters"]["cellsPerL"] ** 2
                 expected = FOAM_PROCESS_MB * self.threads + FOAM_CELLS_MB * cells / 1e6
@@ -219,17 +219,6 @@ def _run(entry: dict) -> Run:
                settings=tuple(entry["settings"]), threads=entry["threads"], timed=entry["timed"],
                may_break=entry["may_break"], resolved=entry["resolved"] or {},
                roles=tuple(f"{role['role']} {role['group']}" for role in entry["roles"]))
-
-
-def _foam_size(run: Run) -> dict:
-    """What the OpenFOAM case of a case file will take, as surge-foam tells it."""
-    words = [word for setting in run.settings for word in
-             (["--foam", setting.removeprefix("foam.")] if setting.startswith("foam.") else ["--set", setting])]
-    told = subprocess.run([str(PROGRAMS / "surge-foam"), "check", str(run.case), "--json", *words],
-                          capture_output=True, text=True, check=False)
-    if told.returncode != 0:
-        raise StudyError(f"{run.name}: {told.stderr.strip().removeprefix('surge-foam: ')}")
-    return json.loads(told.stdout)["size"]
 
 
 # --- digests -------------------------------------------------------------------------------------

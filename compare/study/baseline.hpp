@@ -72,6 +72,9 @@ struct Baseline {
   [[nodiscard]] std::vector<std::string> observables() const;
 };
 
+/// Of all that a baseline says but for its checksum.
+[[nodiscard]] std::string baseline_checksum(nlohmann::json root);
+
 /// Throws surge::Error for what is unknown, missing or not finite, where nothing is there to be
 /// compared, and for a file that was changed by other means than write_baseline().
 [[nodiscard]] Baseline read_baseline(const std::filesystem::path& file);

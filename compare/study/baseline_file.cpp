@@ -105,15 +105,6 @@ class BaselineTable {
 
 constexpr int format = 2;  ///< 1 held the leading edge alone
 
-/// Of all that the file says but for itself.
-std::string checksum_of(json root) {
-  root.erase("checksum");
-  const std::string text = root.dump();
-  const auto sum =
-      crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
-  return std::to_string(sum);
-}
-
 BaselineCurve read_curve(BaselineTable table) {
   BaselineCurve curve;
   curve.observable = table.text("observable");
@@ -177,13 +168,21 @@ void read_head(BaselineTable& table, Baseline& baseline) {
 
 }  // namespace
 
+std::string baseline_checksum(json root) {
+  root.erase("checksum");
+  const std::string text = root.dump();
+  const auto sum =
+      crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size()));
+  return std::to_string(sum);
+}
+
 Baseline read_baseline(const fs::path& file) {
   const json root = read_json(file);
   BaselineTable table(root, file.string() + ":");
   if (!table.has("format") || table.number("format") != format)
     table.fail("format", table.has("format") ? root["format"].dump() : "nothing",
                std::to_string(format) + " (one of another version: remove it and --bless again)");
-  if (table.text("checksum") != checksum_of(root))
+  if (table.text("checksum") != baseline_checksum(root))
     table.fail("checksum", root["checksum"].dump() + " of other contents",
                "a file as --bless wrote it (--bless --reason is the way to change one)");
   Baseline baseline;
@@ -232,7 +231,7 @@ void write_baseline(const fs::path& file, const Baseline& baseline) {
       {"curves", curves},
       {"values", values}};
   // What is stored is what is read back, so that the sum is that of the file's numbers.
-  root["checksum"] = checksum_of(json::parse(root.dump()));
+  root["checksum"] = baseline_checksum(json::parse(root.dump()));
   errno = 0;
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
   const fs::path part = file.string() + ".part";

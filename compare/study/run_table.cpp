@@ -6,6 +6,7 @@
 
 #include "compare/read/physics_keys.hpp"
 #include "compare/study/sweep.hpp"
+#include "particle/support/printable.hpp"
 
 namespace surge::compare {
 namespace {
@@ -86,7 +87,7 @@ void check_settings(const TomlTable& table, const StudyRun& run) {
     const bool foams =
         run.program == "interFoam" && (!run.made_from_case_file() || setting.starts_with("foam."));
     if (foams && !is_foam_setting(setting)) {
-      throw table.error("set", "\"" + setting + "\"",
+      throw table.error("set", "\"" + printable(setting) + "\"",
                         "\"name=value\" of letters, digits, blanks and . + - ( ) _, which a "
                         "dictionary takes as it is");
     }

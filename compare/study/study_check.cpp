@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <thread>
@@ -70,6 +71,18 @@ json particle_case(const StudyRun& run, const fs::path& programs) {
   return resolved;
 }
 
+/// Whether a value could stand where another one does: numbers for numbers, finite ones and as
+/// many, and none below zero in the place of one that is not.
+bool is_like(const json& before, const json& value) {
+  const auto finite = [](const json& v) { return v.is_number() && std::isfinite(v.get<double>()); };
+  if (before.is_number())
+    return finite(value) && (before.get<double>() < 0.0 || value.get<double>() >= 0.0);
+  // Words, one or several: the case knows which.
+  if (!before.is_array() || !std::all_of(before.begin(), before.end(), finite)) return true;
+  return value.is_array() && value.size() == before.size() &&
+         std::all_of(value.begin(), value.end(), finite);
+}
+
 /// A folder with an OpenFOAM case, whose one dictionary takes all settings.
 json foam_folder(const StudyRun& run) {
   const std::string found = in_marks(run.case_path.string());
@@ -90,22 +103,35 @@ json foam_folder(const StudyRun& run) {
              "an entry of " + (run.case_file / "system/caseParameters").string() +
                  (near.empty() ? "" : " (" + near + "?)"));
     }
-    parameters[key] = parameter_value(setting.substr(setting.find('=') + 1));
+    const json value = parameter_value(setting.substr(setting.find('=') + 1));
+    if (!is_like(parameters[key], value))
+      refuse(run, "set", in_marks(setting),
+             "a value like that of the case, " + parameters[key].dump());
+    parameters[key] = value;
   }
   return {{"parameters", parameters}};
 }
 
 /// A case file that surge-foam makes an OpenFOAM case of.
-json foam_case(const StudyRun& run) {
+json foam_case(const StudyRun& run, const fs::path& programs) {
   if (!fs::is_regular_file(run.case_file))
     refuse(run, "case", in_marks(run.case_path.string()), "an existing case file");
-  std::vector<std::string> settings;
-  for (const std::string& setting : run.settings)
-    if (!setting.starts_with("foam.")) settings.push_back(setting);
+  std::vector<std::string> settings, arguments{"check", run.case_file.string(), "--json"};
+  for (const std::string& setting : run.settings) {
+    const bool foam = setting.starts_with("foam.");
+    arguments.emplace_back(foam ? "--foam" : "--set");
+    arguments.push_back(foam ? setting.substr(5) : setting);
+    if (!foam) settings.push_back(setting);
+  }
+  const std::string said = answer(run, programs, "surge-foam", arguments);
+  const json told = json::parse(said, nullptr, false);
+  if (!told.is_object() || !told.contains("size"))
+    throw Error(run.place + ": " + run.name + ": surge-foam check --json printed something " +
+                "else than a size: " + one_line(said, ""));
   const TomlTable root = TomlTable::read(run.case_file, settings);
   const Case flow = read_case(root);
   check_case(flow, root);
-  return {{"case", to_json(flow)}};
+  return {{"case", to_json(flow)}, {"size", told.at("size")}};
 }
 
 void check_files(const StudyRun& run) {
@@ -124,7 +150,7 @@ json resolve(const StudyRun& run, const fs::path& programs) {
     return nullptr;
   }
   try {
-    return run.made_from_case_file() ? foam_case(run) : foam_folder(run);
+    return run.made_from_case_file() ? foam_case(run, programs) : foam_folder(run);
   } catch (const Error& error) {
     const std::string text = error.what();
     throw Error(text.starts_with(run.place) ? text : run.place + ": " + run.name + ": " + text);

@@ -16,7 +16,7 @@ namespace surge::compare {
 /// are compared state the same physics as the reference; that no snapshot is asked for later than
 /// the reference ends. Fills StudyRun::resolved:
 ///   surge-particle            {"case", "size"} as `surge-particle check --json` prints them
-///   interFoam, a case file    {"case"} of it
+///   interFoam, a case file    {"case"} of it, {"size"} as `surge-foam check --json` prints it
 ///   interFoam, a folder       {"parameters"}, its system/caseParameters with the settings
 ///   files                     null
 /// `programs` has surge-particle and surge-foam. With `only`, runs of other names are left alone.

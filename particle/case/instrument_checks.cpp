@@ -6,6 +6,7 @@
 #include "particle/case/case_checks.hpp"
 #include "particle/case/enum_names.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/support/printable.hpp"
 
 namespace surge {
 
@@ -47,10 +48,13 @@ class Instruments {
     std::set<std::string> names;
     for (std::size_t i = 0; i < instruments.size(); ++i) {
       const std::string& name = instruments[i].name;
-      const bool plain = name.find_first_of(",\"\n\r") == std::string::npos && !name.empty();
+      const bool plain = name.find_first_of(",\"") == std::string::npos && !name.empty() &&
+                         printable(name) == name;
       if (plain && names.insert(name).second) continue;
       const TomlTable table = root_.tables(kind)[i];
-      if (!plain) throw table.error("name", '"' + name + '"', "a name without commas and quotes");
+      if (!plain)
+        throw table.error("name", '"' + name + '"',
+                          "a name without commas, quotes and control characters");
       throw table.error("name", '"' + name + "\" twice", "different names");
     }
   }

@@ -6,6 +6,7 @@
 
 #include "particle/case/enum_names.hpp"
 #include "particle/case/scales.hpp"
+#include "particle/support/printable.hpp"
 #include "particle/support/regular_file.hpp"
 
 namespace surge {
@@ -39,10 +40,7 @@ bool parse_sample(std::string_view line, Sample& sample) {
 
 /// A piece of a file as an error shows it: short, and without what a terminal would obey.
 std::string shown(std::string_view line) {
-  std::string text(line.substr(0, 60));
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = '?';
-  return text;
+  return printable(line.substr(0, 60));
 }
 
 std::vector<Sample> read_samples(const std::filesystem::path& file) {

@@ -5,12 +5,17 @@
 
 namespace surge {
 
-/// A text that a terminal shows and does not obey: control characters become '?'.
+/// A text that a terminal shows and does not obey: control characters become '?', those of ASCII
+/// and, as UTF-8 has them, those from U+0080 to U+009F, of which one begins a command like ESC [.
 [[nodiscard]] inline std::string printable(std::string_view text) {
   std::string out(text);
+  char before = ' ';
   for (char& c : out) {
     const auto code = static_cast<unsigned char>(c);
-    if (code < 32 || code == 127) c = '?';
+    const bool second = before == '\xC2' && code < 0xA0;
+    if (second) (&c)[-1] = '?';
+    if (code < 32 || code == 127 || second) c = '?';
+    before = c;
   }
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -36,6 +37,21 @@ void require_regular(const fs::path& file, std::uintmax_t most, std::string_view
   constexpr std::uintmax_t slack = std::uintmax_t{1} << 20U;
   if (size > slack && static_cast<std::uintmax_t>(found.st_blocks) * 512U < size / 100U)
     refuse(file, "a sparse file without content", expected);
+}
+
+bool is_inside(const fs::path& file, const fs::path& folder) {
+  std::error_code failed;
+  const fs::path inner = fs::weakly_canonical(file, failed);
+  if (failed) throw Error(file.string() + ": " + failed.message());
+  const fs::path outer = fs::weakly_canonical(folder, failed);
+  if (failed) throw Error(folder.string() + ": " + failed.message());
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+void require_inside(const fs::path& file, const fs::path& folder) {
+  if (!is_inside(file, folder))
+    throw Error(file.string() + ": leads out of " + folder.string() +
+                "; files inside it expected (copy the file there)");
 }
 
 std::ifstream open_regular(const fs::path& file, std::uintmax_t most, std::string_view expected) {

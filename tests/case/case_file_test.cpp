@@ -273,6 +273,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"probe_outside", "probe.0.position=[0.5,0]",
             "--set probe.0.position=[0.5,0]: found x = 0.5"},
         Bad{"probe_name", "probe.0.name=\"a,b\"", "--set probe.0.name=\"a,b\": found \"a,b\""},
+        Bad{"probe_name_for_terminals", "probe.0.name=\"a\\u001b[31m\"",
+            "--set probe.0.name=\"a\\u001b[31m\": found \"a\x1b[31m\", expected a name without "
+            "commas, quotes and control characters"},
         Bad{"end", "time.end=0", "--set time.end=0: found 0, expected a number above 0"},
         Bad{"infinite_end", "time.end=inf",
             "--set time.end=inf: found inf, expected a number above 0"},

@@ -89,6 +89,23 @@ TEST(Mesh, CellsGrowFarAboveTheWaterOnly) {
   EXPECT_EQ(made({"cellsPerL=20"}, lid).mesh.axes[1].back().expansion, 1.0);
 }
 
+// The gate of the wet bed ends where the cells begin to grow: no piece of no cells in between.
+TEST(Mesh, CellsGrowFromTheEndOfAGate) {
+  const auto with_gate = [](const std::string& upper) {
+    const std::string text =
+        test::small_case +
+        ("[[moving_wall]]\nname = \"gate\"\nlower = [0.1, 0.0]\nupper = [0.12, " + upper +
+         "]\ndirection = [0.0, 1.0]\nlaw = \"constant\"\nspeed = 2.0\n" +
+         "start = 0.005\nstop = 0.3\n");
+    return made({"cellsPerL=20"}, {"tank.upper=[0.4, 1.6]"}, text).mesh.axes[1];
+  };
+  const Axis ends = with_gate("0.8");
+  EXPECT_NEAR(ends.back().from, 0.8, 1e-12);
+  EXPECT_EQ(ends.back().expansion, 26.0);
+  for (const Piece& piece : ends) EXPECT_GT(piece.cells, 0);
+  EXPECT_EQ(with_gate("0.9").back().expansion, 1.0);
+}
+
 TEST(Mesh, GrowsTowardsTheSideThatGravityPointsAwayFrom) {
   const Mesh mesh =
       made({"cellsPerL=20"},

@@ -1,4 +1,5 @@
 #include "compare/read/foam_field.hpp"
+#include "tests/fuzz/foam_blocks.hpp"
 #include "tests/fuzz/reader_fuzz.hpp"
 
 using namespace surge;
@@ -11,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto& root = fuzz::scratch().path();
   for (const std::size_t components : {std::size_t{1}, std::size_t{3}})
     fuzz::try_reading([&] {
-      for (const compare::FoamBlock& block : compare::foam_blocks(text, "field"))
+      for (const compare::FoamBlock& block : fuzz::blocks_of(text, "field"))
         (void)compare::read_foam_field(block, "field", root, components, cells);
     });
   return 0;

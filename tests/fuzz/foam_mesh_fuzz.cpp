@@ -2,6 +2,7 @@
 
 #include "compare/read/foam_grid.hpp"
 #include "compare/read/foam_mesh.hpp"
+#include "tests/fuzz/foam_blocks.hpp"
 #include "tests/fuzz/reader_fuzz.hpp"
 
 using namespace surge;
@@ -14,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::each_file(
       text, [&](const std::string& name, std::string_view content) { files[name] = content; });
   const auto block = [&](const std::string& name) {
-    const auto blocks = compare::foam_blocks(files[name], name);
+    const auto blocks = fuzz::blocks_of(files[name], name);
     if (blocks.empty()) throw Error(name + ": nothing found");
     return blocks.front();
   };

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -50,16 +52,64 @@ inline const Scratch& scratch() {
   return folder;
 }
 
+/// The same with files in it that an input may name.
+inline const Scratch& scratch_with(std::initializer_list<const char*> names) {
+  static const bool put = [&] {
+    for (const char* name : names) {
+      std::filesystem::create_directories((scratch().path() / name).parent_path());
+      scratch().put(name, "");
+    }
+    return true;
+  }();
+  (void)put;
+  return scratch();
+}
+
+/// Whether a reader took the input. Where SURGE_FUZZ_TELL is set a line says so for each input, in
+/// their order: a corpus that no reader takes any more would never get far into it.
+class Verdict {
+ public:
+  Verdict() = default;
+  Verdict(const Verdict&) = delete;
+  Verdict& operator=(const Verdict&) = delete;
+  ~Verdict() { tell(); }
+  void begin() {
+    tell();
+    begun_ = true;
+    taken_ = false;
+    refusal_.clear();
+  }
+  void take() { taken_ = true; }
+  void refuse(const char* why) { refusal_.append(refusal_.empty() ? "" : " | ").append(why); }
+
+ private:
+  void tell() const {
+    if (!begun_ || std::getenv("SURGE_FUZZ_TELL") == nullptr) return;
+    std::fprintf(stderr, "verdict: %s\n", taken_ ? "taken" : refusal_.c_str());
+  }
+  bool begun_ = false, taken_ = false;
+  std::string refusal_;
+};
+
+inline Verdict& verdict() {
+  static Verdict of_this_input;
+  return of_this_input;
+}
+
+/// The input as text; each target asks for it once.
 inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
+  verdict().begin();
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// What a reader says of an input does not matter here; that it says it does.
+/// A reader may take an input or refuse it; both are right.
 template <class Read>
 void try_reading(Read&& read) {
   try {
     read();
-  } catch (const Error&) {
+    verdict().take();
+  } catch (const Error& error) {
+    verdict().refuse(error.what());
   }
 }
 

@@ -26,7 +26,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!ignored) fuzz::scratch().put("source/" + name, content);
   });
   compare::SourceOptions options;
-  options.spacing = compare::Metres(0.01);
+  if (!std::filesystem::exists(folder / "manifest.json") &&
+      !std::filesystem::exists(folder / "system")) {
+    options.spacing = compare::Metres(0.05);
+    options.gravity = 9.81;
+  }
   fuzz::try_reading([&] {
     compare::Run run = compare::open_run(folder, options);
     for (std::size_t k = 0; k < run.frames->times().size(); ++k)

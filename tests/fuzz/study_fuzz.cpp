@@ -8,9 +8,11 @@ using namespace surge;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
   static const bool beside = [] {
-    fuzz::scratch().put("part.toml",
-                        "[[run]]\nname = \"a\"\nprogram = \"surge-particle\"\n"
-                        "case = \"a.toml\"\n");
+    fuzz::scratch().put(
+        "part.toml",
+        "title = \"p\"\nreference = \"a\"\nstrip_height = 0.01\n"
+        "snapshot_times = []\npublished = []\n[[run]]\nname = \"a\"\nprogram = \"surge-particle\"\n"
+        "case = \"a.toml\"\n");
     return true;
   }();
   (void)beside;

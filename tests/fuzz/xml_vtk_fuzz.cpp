@@ -10,7 +10,7 @@ using namespace surge;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text = fuzz::text_of(data, size);
-  const auto& folder = fuzz::scratch();
+  const auto& folder = fuzz::scratch_with({"file.vtp", "file.vtu", "sub dir/b.vtp"});
   const bool grid = text.find("UnstructuredGrid") != std::string_view::npos;
   const bool parallel = text.find("<PPoints") != std::string_view::npos;
   const bool collection = text.find("Collection") != std::string_view::npos;

@@ -5,6 +5,7 @@
 #include <omp.h>
 
 #include <cstdlib>
+#include <iostream>
 #include <random>
 #include <tuple>
 
@@ -61,6 +62,9 @@ void expect_restarts_to_agree(const Computation& computation) {
           << "taken up at step " << begin << ", other at step " << k;
     }
   }
+  std::cout << "restarts of " << computation.method_name() << '-' << computation.preset << ", " << D
+            << "D, " << omp_get_max_threads() << " threads: " << at.size() << " of " << at.size()
+            << " moments the same bit for bit\n";
 }
 
 void expect_restarts_to_agree(const Computation& computation) {

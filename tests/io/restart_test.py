@@ -54,8 +54,12 @@ name = "{method}"
 preset = "{preset}"
 """
 
-PRESETS = [("mps", "paper"), ("mps", "improved"), ("sph", "paper"), ("sph", "paper-bare"),
-           ("sph", "delta-plus")]
+
+def presets() -> list[tuple[str, str]]:
+    """Every preset of every method, as the program lists them."""
+    told = subprocess.run([str(PROGRAM), "list"], capture_output=True, text=True, check=True).stdout
+    table = told.split("Presets:\n", 1)[1].split("\n\n", 1)[0]
+    return [tuple(line.split()[0].split("-", 1)) for line in table.splitlines()]
 
 
 def write_case(file: Path, method: str, preset: str, dimension: int) -> None:
@@ -163,7 +167,7 @@ class Restart(unittest.TestCase):
 
     def test_killed_runs_go_on_as_if_nothing_had_been(self):
         rng = random.Random(SEED)
-        kinds = [(*preset, dimension, threads) for preset in PRESETS for dimension in (2, 3)
+        kinds = [(*preset, dimension, threads) for preset in presets() for dimension in (2, 3)
                  for threads in (1, 2)]
         hits = []
         for k in range(RUNS):

@@ -45,6 +45,27 @@ TEST(ParticleRun, IsReadWithItsCaseAndFields) {
   EXPECT_EQ(open_run(folder / "mps-paper-0.005/particles.pvd").name, "mps-paper-0.005");
 }
 
+// Nothing outside of a run's folder is a part of it; the folder itself may be a link.
+TEST(ParticleRun, LinksLeadNowhereElse) {
+  for (const char* name : {"manifest.json", "steps.csv"}) {
+    const TemporaryFolder folder;
+    nlohmann::json manifest = testing::dam_break_manifest();
+    manifest["frames"] = 2;
+    manifest["steps"] = 2;
+    write_run(folder / "run", {0.0, 1.0}, surge, manifest);
+    write_text(folder / "run/steps.csv", "step\n1\n2\n");
+    std::filesystem::create_directory_symlink("run", folder / "link");
+    EXPECT_EQ(open_run(folder / "link").name, "link");
+    std::filesystem::rename(folder / "run" / name, folder / name);
+    std::filesystem::create_symlink(folder / name, folder / "run" / name);
+    EXPECT_THAT(error_of([&] { (void)open_run(folder / "run"); }),
+                HasSubstr(std::string(name) + ": leads out of"));
+    std::filesystem::remove(folder / "run" / name);
+    std::filesystem::create_symlink(name, folder / "run" / name);
+    EXPECT_NE(error_of([&] { (void)open_run(folder / "run"); }), "") << "a link to itself";
+  }
+}
+
 TEST(ParticleRun, WhatARunWarnsOfIsANotice) {
   const TemporaryFolder folder;
   nlohmann::json manifest = testing::dam_break_manifest();

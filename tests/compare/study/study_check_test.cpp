@@ -62,6 +62,7 @@ TEST(StudyCheck, EachRunIsResolvedByItsProgram) {
   EXPECT_EQ(study.runs[1].resolved.at("case").at("method").at("name"), "sph");
   EXPECT_EQ(study.runs[1].resolved.at("size").at("fluid_particles"), 200);
   EXPECT_EQ(study.runs[2].resolved.at("case").at("spacing"), 0.029);
+  EXPECT_GT(study.runs[2].resolved.at("size").at("disk_bytes"), 1e6);
 
   const nlohmann::json told = to_json(study);
   EXPECT_EQ(told.at("reference"), "ref");
@@ -148,6 +149,29 @@ TEST(StudyCheck, SettingsThatAProgramDoesNotHaveAreNamed) {
       refusal(head() + run("ref", "interFoam", (source / "particle/cases/dam_break.toml").string(),
                            "\"resolution.spacing=0.011\"")),
       HasSubstr("run.0: ref: "));
+}
+
+TEST(StudyCheck, SettingsOfAnOpenFoamCaseAreThoseThatItsMakerHas) {
+  const auto said = [](const std::string& setting) {
+    return refusal(head() + run("ref", "interFoam",
+                                (source / "particle/cases/dam_break.toml").string(), setting));
+  };
+  EXPECT_THAT(said("\"foam.cellsPerK=10\""),
+              AllOf(HasSubstr("study.toml:6: run.0: ref: --foam cellsPerK=10: found no such"),
+                    HasSubstr("cellsPerL")));
+  EXPECT_THAT(said("\"foam.maxCo=-1\""), HasSubstr("maxCo"));
+  EXPECT_THAT(said("\"foam.cellsPerL=1000000\""), HasSubstr("cells"));
+}
+
+TEST(StudyCheck, SettingsOfAnOpenFoamFolderAreLikeThoseThatTheyReplace) {
+  for (const std::string wrong : {"cellsPerL=abc", "cellsPerL=-4", "endTime=nan", "maxCo=(1 2)",
+                                  "gravity=(0 -9.81)", "gravity=(0 x 0)", "gravity=3"})
+    EXPECT_THAT(refusal(head() + foam("ref", '"' + wrong + '"')),
+                AllOf(HasSubstr("study.toml:6: run.0.set: found \"" + wrong + "\""),
+                      HasSubstr("expected a value like that of the case")));
+  for (const std::string right : {"cellsPerL=4", "nuWater=1e-6", "gravity=(1 -9.81 0)",
+                                  "timeScheme=CrankNicolson 0.9", "momentumPredictor=yes"})
+    EXPECT_NO_THROW((void)checked(head() + foam("ref", '"' + right + '"'))) << right;
 }
 
 TEST(StudyCheck, RunsThatAreComparedComputeTheSameCase) {
