@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "particle/support/error.hpp"
-#include "particle/support/regular_file.hpp"
 #include "particle/support/json.hpp"
+#include "particle/support/regular_file.hpp"
 
 namespace surge::compare {
 

@@ -44,9 +44,9 @@ TEST(ColumnNames, LoseTheirUnits) {
   EXPECT_EQ(plain_name("time(s)"), "time");
 }
 
-class Table {
+class DelimitedFile {
  public:
-  explicit Table(const std::string& text) : file(write_text(folder_ / "t_0.csv", text)) {}
+  explicit DelimitedFile(const std::string& text) : file(write_text(folder_ / "t_0.csv", text)) {}
 
  private:
   TemporaryFolder folder_;
@@ -63,33 +63,34 @@ class Table {
 };
 
 TEST(Tables, HeadsOfAllKindsAreUnderstood) {
-  EXPECT_THAT(describe_table(Table("# a comment\n# x y z\n1 2 3\n4 5 6\n").file).columns,
+  EXPECT_THAT(describe_table(DelimitedFile("# a comment\n# x y z\n1 2 3\n4 5 6\n").file).columns,
               ElementsAre("x", "y", "z"));
-  EXPECT_THAT(describe_table(Table("1,2\n3,4\n").file).columns, ElementsAre("1", "2"));
-  EXPECT_THAT(describe_table(Table("\xEF\xBB\xBFx;y\r\n1;2\r\n").file).columns,
+  EXPECT_THAT(describe_table(DelimitedFile("1,2\n3,4\n").file).columns, ElementsAre("1", "2"));
+  EXPECT_THAT(describe_table(DelimitedFile("\xEF\xBB\xBFx;y\r\n1;2\r\n").file).columns,
               ElementsAre("x", "y"));
-  EXPECT_EQ(describe_table(Table("% time = 0.25 s\nx,y\n1,2\n").file).time, 0.25);
+  EXPECT_EQ(describe_table(DelimitedFile("% time = 0.25 s\nx,y\n1,2\n").file).time, 0.25);
   // An hour is no time of a run.
-  EXPECT_EQ(describe_table(Table("# time: 12:30:05\nx,y\n1,2\n").file).time, std::nullopt);
-  const TextTable table = describe_table(Table("0.5\n2\n0 1 2\n0 3 4\n").file);
+  EXPECT_EQ(describe_table(DelimitedFile("# time: 12:30:05\nx,y\n1,2\n").file).time, std::nullopt);
+  const TextTable table = describe_table(DelimitedFile("0.5\n2\n0 1 2\n0 3 4\n").file);
   EXPECT_EQ(table.time, 0.5);
   EXPECT_EQ(table.count, 2U);
 }
 
 TEST(Tables, FaultsAreErrorsWithTheirLine) {
-  EXPECT_THAT(Table("x,y\n1,2\n3\n").error(), HasSubstr("t_0.csv:3: 1 fields found, 2 expected"));
-  EXPECT_THAT(Table("time,x,y\n0,1,2\n0,3,4\n0.1,1,2\n0.05,1,2\n").error(),
+  EXPECT_THAT(DelimitedFile("x,y\n1,2\n3\n").error(),
+              HasSubstr("t_0.csv:3: 1 fields found, 2 expected"));
+  EXPECT_THAT(DelimitedFile("time,x,y\n0,1,2\n0,3,4\n0.1,1,2\n0.05,1,2\n").error(),
               HasSubstr("t_0.csv:5: time 0.05 after 0.1"));
-  EXPECT_THAT(Table("time,x,y\n0,1,2\ninf,3,4\n").error(), HasSubstr("time inf"));
-  EXPECT_THAT(Table("time,x,y\n0,1,2\nnan,3,4\n").error(), HasSubstr("time nan"));
-  EXPECT_THAT(Table("x,x\n1,2\n3,4\n").error(), HasSubstr("two columns"));
-  EXPECT_THAT(Table("a\nb\nc\n").error(), HasSubstr("no rows of numbers"));
-  EXPECT_THAT(Table("0.5\n3\n0 1 2\n0 3 4\n").error(), HasSubstr("announces 3"));
-  EXPECT_THAT(Table("x,y,z\n1,2\n3,4\n").error(), HasSubstr("3 names"));
+  EXPECT_THAT(DelimitedFile("time,x,y\n0,1,2\ninf,3,4\n").error(), HasSubstr("time inf"));
+  EXPECT_THAT(DelimitedFile("time,x,y\n0,1,2\nnan,3,4\n").error(), HasSubstr("time nan"));
+  EXPECT_THAT(DelimitedFile("x,x\n1,2\n3,4\n").error(), HasSubstr("two columns"));
+  EXPECT_THAT(DelimitedFile("a\nb\nc\n").error(), HasSubstr("no rows of numbers"));
+  EXPECT_THAT(DelimitedFile("0.5\n3\n0 1 2\n0 3 4\n").error(), HasSubstr("announces 3"));
+  EXPECT_THAT(DelimitedFile("x,y,z\n1,2\n3,4\n").error(), HasSubstr("3 names"));
 }
 
 TEST(Tables, FortranExponentsAreNoNumbers) {
-  const Table table("x,y\n1,2\n3,4\n5.0D-02,5\n");
+  const DelimitedFile table("x,y\n1,2\n3,4\n5.0D-02,5\n");
   const std::vector<std::string> names{"x"};
   EXPECT_THAT(
       error_of([&] { (void)read_table(table.file, parts_of(table.file, {}).front(), names, {}); }),
@@ -97,7 +98,7 @@ TEST(Tables, FortranExponentsAreNoNumbers) {
 }
 
 TEST(Tables, ColumnOfWordsIsNoHindrance) {
-  const Table table("x,y,phase\n1,2,water\n3,4,water\n");
+  const DelimitedFile table("x,y,phase\n1,2,water\n3,4,water\n");
   const ParticleTable all =
       read_table(table.file, parts_of(table.file, {}).front(), std::nullopt, {});
   EXPECT_EQ(all.find("phase")->type, "text");
@@ -105,7 +106,7 @@ TEST(Tables, ColumnOfWordsIsNoHindrance) {
 }
 
 TEST(Tables, LastLineWithoutAnEndIsTold) {
-  const Table table("x,y\n1,2\n3,4");
+  const DelimitedFile table("x,y\n1,2\n3,4");
   const auto read = read_table(table.file, parts_of(table.file, {}).front(), std::nullopt, {});
   ASSERT_EQ(read.notes.size(), 1U);
   EXPECT_THAT(read.notes[0], HasSubstr("cut short"));
@@ -114,11 +115,12 @@ TEST(Tables, LastLineWithoutAnEndIsTold) {
 TEST(Tables, LinesLongerThanABlockAreWhole) {
   std::string text = "x,y\n";
   for (int i = 0; i < 200000; ++i) text += std::to_string(i) + ",0.25\n";
-  const Table table(text);
+  const DelimitedFile table(text);
   const auto read = read_table(table.file, parts_of(table.file, {}).front(), std::nullopt, {});
   ASSERT_EQ(read.count, 200000U);
   EXPECT_EQ(read.find("x")->values.back(), 199999.0);
-  EXPECT_THAT(Table("x,y\n1,2\n3,4\n" + std::string(6 << 20, '1')).error(), HasSubstr("4 MiB"));
+  EXPECT_THAT(DelimitedFile("x,y\n1,2\n3,4\n" + std::string(6 << 20, '1')).error(),
+              HasSubstr("4 MiB"));
 }
 
 TEST(Formats, OthersAreRefusedWithWhatToExport) {
