@@ -112,6 +112,7 @@ class ObservableDrawing {
       const Curve curve = curve_of(quantity_, *run->measured).curve;
       if (curve.first.size() < 2) continue;
       const std::string& name = run->study.name;
+      end_ = std::max(end_, curve.first.back());
       const Curve shown = thinned(curve);
       for (std::size_t i = 0; i < shown.first.size(); ++i)
         table_.add({name, shown.first[i], shown.value[i], shown.value[i], shown.value[i]});
@@ -151,6 +152,7 @@ class ObservableDrawing {
       if (other_case(*series, physics)) continue;
       const ReferenceCurve data = curve_for(*series, physics, quantity_.unit);
       const std::string name = "series " + series->name;
+      later_ = later_ || is_later(data.first.back());
       for (std::size_t i = 0; i < data.first.size(); ++i)
         table_.add({name, data.first[i], data.value[i], data.value[i] - data.limit[i],
                     data.value[i] + data.limit[i]});
@@ -168,12 +170,18 @@ class ObservableDrawing {
     }
   }
 
-  /// Of the curves and the published values: a band may be as wide as it likes.
+  /// Whether a time is after the end of all runs, with what the last marker needs.
+  [[nodiscard]] bool is_later(double x) const {
+    return !quantity_.is_profile() && std::isfinite(end_) && x > 1.02 * end_;
+  }
+
+  /// Of the curves and the published values while there are runs: a band may be as wide as it
+  /// likes.
   [[nodiscard]] std::string range() const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const auto& row : table_.rows) {
       const std::string& name = std::get<std::string>(row[0]);
-      if (name.ends_with(" band")) continue;
+      if (name.ends_with(" band") || is_later(std::get<double>(row[1]))) continue;
       low = std::min(low, std::get<double>(row[3]));
       high = std::max(high, std::get<double>(row[4]));
     }
@@ -181,7 +189,9 @@ class ObservableDrawing {
     // A value that hardly changes is shown as what it is, and not as its rounding.
     const double least = std::max(1e-3 * std::max(std::abs(low), std::abs(high)), 1e-12);
     const double margin = std::max(0.08 * (high - low), least);
-    return "set yrange [" + plot_number(low - margin) + ":" + plot_number(high + margin) + "]\n";
+    const std::string x = later_ ? "set xrange [*:" + plot_number(1.02 * end_) + "]\n" : "";
+    return x + "set yrange [" + plot_number(low - margin) + ":" + plot_number(high + margin) +
+           "]\n";
   }
 
   [[nodiscard]] std::string plots() const {
@@ -201,6 +211,7 @@ class ObservableDrawing {
                            : "Over the time t; measured by one rule in all runs.";
     if (bands_) text += " Bands: 95 % interval that follows from refining the run.";
     if (published_) text += " Markers: published values, with their 95 % limits as bars.";
+    if (later_) text += " What was published after the runs' end stands in the file alone.";
     return text;
   }
 
@@ -210,7 +221,9 @@ class ObservableDrawing {
   Table table_;
   std::vector<std::string> lines_;
   std::size_t legend_ = 0;
+  double end_ = -std::numeric_limits<double>::infinity();  ///< of the run that goes on longest
   bool bands_ = false, published_ = false;
+  bool later_ = false;  ///< published values after that
 };
 
 }  // namespace

@@ -58,8 +58,8 @@ TEST_F(Program, WritesAFront) {
   for (int i = 0; i <= 5; ++i) std::getline(in, line);
   ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &t, &dimensionless, &z), 3);
   EXPECT_NEAR(t, 0.1, 1e-12);
-  EXPECT_NEAR(dimensionless, 1.1632298, 1e-6);
-  EXPECT_NEAR(z, 0.365 / 0.145, 1e-9);
+  EXPECT_NEAR(dimensionless, 1.1632298, 6e-6);  // to five decimals
+  EXPECT_NEAR(z, 0.365 / 0.145, 6e-6);
 }
 
 TEST_F(Program, WritesMetrics) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "compare/figures/figures.hpp"
 #include "compare/report/report.hpp"
 #include "compare/study/observable_verdicts.hpp"
 #include "tests/compare/synthetic_study.hpp"
@@ -61,9 +62,8 @@ TEST(Observables, DifferencesAndVerdictsAreThoseOfTheFronts) {
   EXPECT_EQ(arrival->unit, "s");
 }
 
-// The clock of an experiment may be off; both differences are told.
-TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
-  const SyntheticStudy files;
+/// A series "clock" of the front, with a case of its own.
+void write_clock(const SyntheticStudy& files, const std::string& rows) {
   testing::write_text(
       files.series() / "c.toml",
       "title = \"c\"\ndimension = 2\n[fluid]\ndensity = 1000.0\ngravity = [0.0, -9.81]\n"
@@ -72,10 +72,17 @@ TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
       "[resolution]\nspacing = 0.0145\n[time]\nend = 1.0\n[output]\ninterval = 0.1\n");
   testing::write_text(
       files.series() / "clock.csv",
-      "# label: A\n# citation: B 1952\n# case: c\n# observable: front\n# axes: t, x\n"
-      "# time_unit: s\n# value_unit: cm\n# kind: experiment\n# time_uncertainty: 0.001\n"
-      "# value_uncertainty: 0.1\n# gate: none\n# time_shift: fitted within 0.05*s\nt,value\n"
-      "0.07,24.5\n0.12,34.5\n0.17,44.5\n");
+      std::string(
+          "# label: A\n# citation: B 1952\n# case: c\n# observable: front\n# axes: t, x\n"
+          "# time_unit: s\n# value_unit: cm\n# kind: experiment\n# time_uncertainty: 0.001\n"
+          "# value_uncertainty: 0.1\n# gate: none\n# time_shift: fitted within 0.05*s\nt,value\n") +
+          rows);
+}
+
+// The clock of an experiment may be off; both differences are told.
+TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
+  const SyntheticStudy files;
+  write_clock(files, "0.07,24.5\n0.12,34.5\n0.17,44.5\n");
   append(files, edge + "references = [\"clock\"]\n");
   const StudyResult study = files.collected();
   const auto all = compare_curve(study, observed_quantities(study)[0], run_of(study, "mps-a"));
@@ -88,6 +95,20 @@ TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
   EXPECT_LT(rms->verdict->difference, 3e-4);
   EXPECT_NEAR(*rms->unshifted, 2.0 * 0.02 + lead, 2e-4);
   EXPECT_EQ(find(all[0], CurveMeasure::rms)->unshifted, std::nullopt);
+}
+
+TEST(Observables, FigureEndsWhereTheRunsDo) {
+  const auto script = [](const std::string& rows) {
+    const SyntheticStudy files;
+    write_clock(files, rows);
+    append(files, edge + "references = [\"clock\"]\n");
+    return observable_figures(files.collected()).at(0).script;
+  };
+  EXPECT_THAT(script("0.07,24.5\n0.12,34.5\n"), ::testing::Not(HasSubstr("set xrange")));
+  const std::string later = script("0.07,24.5\n0.12,34.5\n9,500\n");
+  EXPECT_THAT(later, HasSubstr("set xrange [*:"));
+  // Nor is the range of values that of what is not shown.
+  EXPECT_THAT(later, ::testing::ContainsRegex("set yrange .*:0\\.[0-9]*\\]"));
 }
 
 TEST(Observables, WithoutLevelsNothingIsDecided) {
