@@ -82,6 +82,7 @@ class ObservableDrawing {
     figure_.y_label =
         quantity_.unit == "1" ? quantity_.title : quantity_.title + ", " + quantity_.unit;
     figure_.height_mm = 62.0 + 3.9 * static_cast<double>(legend_);
+    const std::string ranges = range();
     figure_.tables.push_back(std::move(table_));
     const std::string screen = fixed_text(1.0 - 57.0 / figure_.height_mm, 4);
     figure_.script =
@@ -91,8 +92,8 @@ class ObservableDrawing {
         " left top vertical maxcols 1 Left reverse\nset format y \"%g\"\nset xlabel \"" +
         (quantity_.is_profile() ? "{/:Italic x} [m]" : "{/:Italic t} [s]") +
         "\" offset 0,0.4\nset ylabel " +
-        axis_label(study_.observables[quantity_.observable], quantity_) + " offset 1.2\n" +
-        range() + plots();
+        axis_label(study_.observables[quantity_.observable], quantity_) + " offset 1.2\n" + ranges +
+        plots();
     return std::move(figure_);
   }
 

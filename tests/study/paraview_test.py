@@ -1,5 +1,6 @@
-"""The views of docs/results.md. What ParaView opens of a run, by the readers that it is made of (VTK's), and the script that shows runs side by side
-(drawn where ParaView itself is there: Debian has it, and it takes the place of the VTK that we build with).
+"""What ParaView opens of a run, by the readers that it is made of (VTK's), and the script of docs/results.md that
+shows runs side by side (drawn where ParaView itself is there: Debian has it, and it takes the place of the VTK that we
+build with).
 
 Usage: paraview_test.py BUILD_FOLDER; 77 where VTK for Python or OpenFOAM is not there.
 """
