@@ -283,6 +283,29 @@ void check_references(const Study& study, const fs::path& folder) {
   }
 }
 
+/// That a series is of the case of some run at least: what is of another case is compared with
+/// nothing.
+void check_cases_of_references(const Study& study, const fs::path& folder) {
+  for (const StudyObservable& observable : study.observables) {
+    for (const std::string& name : observable.references) {
+      const ReferenceSeries series =
+          read_reference(series_file(study, name, folder), observable_names());
+      std::optional<std::string> why;
+      bool compared = false;
+      for (const StudyRun& run : study.runs) {
+        if (run.role != Role::comparison) continue;
+        const auto physics = physics_of(run);
+        const auto reason = physics ? other_case(series, *physics) : std::nullopt;
+        compared = compared || !reason;
+        if (reason) why = reason;
+      }
+      if (why && !compared)
+        throw Error(observable.place + ".references: found " + name + ", " + *why +
+                    ", expected a series of the case of one run at least");
+    }
+  }
+}
+
 void check_snapshots(const Study& study) {
   if (study.snapshot_times.empty()) return;
   for (const StudyRun& run : study.runs) {
@@ -316,6 +339,7 @@ void check_study(Study& study, const fs::path& programs, const std::string& only
   for (StudyRun& run : study.runs)
     if (only.empty() || run.name == only) run.resolved = answers[known.at(computation_of(run))];
   check_physics(study);
+  if (only.empty()) check_cases_of_references(study, series_folder);
   check_observables(study);
   check_snapshots(study);
 }

@@ -48,6 +48,14 @@ std::string refusal(const std::string& text) {
   return error_of([&] { static_cast<void>(checked(text)); });
 }
 
+TEST(StudyCheck, SeriesOfAnotherCaseThanAllRunsIsRefused) {
+  EXPECT_THAT(refusal(head() + particles("ref", "\"resolution.spacing=0.0145\"") +
+                      "[[observable]]\nname = \"h\"\nkind = \"gauge\"\nparameters = {x = 0.3}\n"
+                      "references = [\"kleefsman_2005_h1\"]\n"),
+              AllOf(HasSubstr("references: found kleefsman_2005_h1, of another case"),
+                    HasSubstr("expected a series of the case of one run at least")));
+}
+
 TEST(StudyCheck, EachRunIsResolvedByItsProgram) {
   const Study study =
       checked(head() + foam("ref", "\"cellsPerL=10\", \"gravity=(0 -9.81 0)\"") +
