@@ -99,6 +99,22 @@ Seconds time_of(const Frame& frame) {
   return std::visit([](const auto& f) { return f.time; }, frame);
 }
 
+namespace {
+
+/// Cells are cut out for a body with a surface, and water does not slide along stairs.
+void tell_of_stairs(Run& run) {
+  if (!run.physics.obstacles) return;
+  const auto stairs = std::count_if(run.physics.obstacles->begin(), run.physics.obstacles->end(),
+                                    [](const SolidBody& body) { return body.surface != nullptr; });
+  if (stairs > 0)
+    run.notices.push_back(
+        "inclined faces of obstacles (" + std::to_string(stairs) +
+        ") are stairs of cells: thin water along them is held back, and the force on "
+        "them has a part along the face, which shrinks slowly with the cells");
+}
+
+}  // namespace
+
 Run open_run(const fs::path& given, const SourceOptions& options) {
   Run run;
   run.path = source_path(given);
@@ -118,6 +134,7 @@ Run open_run(const fs::path& given, const SourceOptions& options) {
     run.frames = open_foam_case(run.path, options);
     if (stated) {
       check_foam_case(run);
+      tell_of_stairs(run);
     } else {
       apply_foam_case(run, options);
     }
