@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 
 #include "particle/support/error.hpp"
 
@@ -49,9 +50,14 @@ ProcessEnd run_process(const std::string& program, const std::vector<std::string
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  std::string locale = "LC_ALL=C.UTF-8";
+  std::vector<char*> environment{locale.data()};
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.push_back(*entry);
+  environment.push_back(nullptr);
   pid_t child = 0;
   const int failure =
-      posix_spawnp(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
+      posix_spawnp(&child, program.c_str(), &actions, nullptr, pointers.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   ProcessEnd end;

@@ -13,7 +13,8 @@ struct ProcessEnd {
 };
 
 /// Runs a program, found on PATH, in `folder` with nothing on its standard input. No shell takes
-/// part, so that arguments mean what they are. Throws Error where it cannot be started, with the
+/// part, so that arguments mean what they are. The locale is C.UTF-8, whatever the user's: gnuplot
+/// warns of letters that a locale lacks, and numbers have points. Throws Error where it cannot be started, with the
 /// Debian package that has it.
 [[nodiscard]] ProcessEnd run_process(const std::string& program,
                                      const std::vector<std::string>& arguments,

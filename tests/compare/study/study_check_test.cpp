@@ -40,7 +40,7 @@ std::string foam(const std::string& name, const std::string& settings) {
 Study checked(const std::string& text) {
   const testing::TemporaryFolder folder;
   Study study = read_study(testing::write_text(folder / "study.toml", text));
-  check_study(study, programs);
+  check_study(study, programs, "", source / "compare/reference");
   return study;
 }
 
