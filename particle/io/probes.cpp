@@ -62,7 +62,9 @@ template <int D>
 void add_places(const Case& c, const Probe& probe, std::vector<Vec<D>>& places) {
   const double radius = 0.5 * probe.diameter;
   const int half = static_cast<int>(std::ceil(radius / (0.5 * c.spacing)));
-  const auto [normal, surface] = near_face<D>(c, probe.position);
+  const NearFace face = near_face<D>(c, probe.position);
+  const std::size_t normal = face.axis;
+  const ClosedSurface* const surface = face.surface;
   std::array<int, D> first;
   std::array<int, D> last;
   first.fill(-half);
