@@ -81,7 +81,9 @@ void read_faces(FoamMesh& mesh, const FoamBlock& block, const std::string& place
 std::optional<std::size_t> stated(const std::string& note, const std::string& key) {
   const auto at = note.find(key);
   if (at == std::string::npos) return std::nullopt;
-  const std::string digits = note.substr(note.find_first_not_of(" \t", at + key.size()));
+  const auto first = note.find_first_not_of(" \t", at + key.size());
+  if (first == std::string::npos) return std::nullopt;
+  const std::string digits = note.substr(first);
   std::size_t value = 0;
   const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return failed == std::errc{} ? std::optional(value) : std::nullopt;
