@@ -270,39 +270,42 @@ std::optional<double> end_of(const StudyRun& run) {
   return std::nullopt;
 }
 
-/// That the series can be read and are of the kind and component that they are to be held against.
-void check_references(const Study& study, const fs::path& folder) {
+struct AskedSeries {
+  const StudyObservable* observable;
+  std::string name;
+  ReferenceSeries series;
+};
+
+/// The series that observables are held against; throws where one is of another kind.
+std::vector<AskedSeries> asked_series(const Study& study, const fs::path& folder) {
+  std::vector<AskedSeries> asked;
   for (const StudyObservable& observable : study.observables) {
     for (const std::string& name : observable.references) {
-      const ReferenceSeries series =
-          read_reference(series_file(study, name, folder), observable_names());
+      ReferenceSeries series = read_reference(series_file(study, name, folder), observable_names());
       if (series.observable != observable.kind)
         throw Error(observable.place + ".references: found " + name + ", a series of kind " +
                     series.observable + ", expected one of kind " + observable.kind);
+      asked.push_back({&observable, name, std::move(series)});
     }
   }
+  return asked;
 }
 
 /// That a series is of the case of some run at least: what is of another case is compared with
 /// nothing.
-void check_cases_of_references(const Study& study, const fs::path& folder) {
-  for (const StudyObservable& observable : study.observables) {
-    for (const std::string& name : observable.references) {
-      const ReferenceSeries series =
-          read_reference(series_file(study, name, folder), observable_names());
-      std::optional<std::string> why;
-      bool compared = false;
-      for (const StudyRun& run : study.runs) {
-        if (run.role != Role::comparison) continue;
-        const auto physics = physics_of(run);
-        const auto reason = physics ? other_case(series, *physics) : std::nullopt;
-        compared = compared || !reason;
-        if (reason) why = reason;
-      }
-      if (why && !compared)
-        throw Error(observable.place + ".references: found " + name + ", " + *why +
-                    ", expected a series of the case of one run at least");
-    }
+void check_cases_of(const std::vector<AskedSeries>& asked, const Study& study) {
+  std::vector<std::optional<Physics>> flows;
+  for (const StudyRun& run : study.runs)
+    if (run.role == Role::comparison) flows.push_back(physics_of(run));
+  for (const auto& [observable, name, series] : asked) {
+    std::optional<std::string> why;
+    const bool compared = std::any_of(flows.begin(), flows.end(), [&, &of = series](auto& flow) {
+      why = flow ? other_case(of, *flow) : std::nullopt;
+      return !why;
+    });
+    if (why && !compared)
+      throw Error(observable->place + ".references: found " + name + ", " + *why +
+                  ", expected a series of the case of one run at least");
   }
 }
 
@@ -328,7 +331,7 @@ void check_study(Study& study, const fs::path& programs, const std::string& only
                  const fs::path& series_folder) {
   for (const std::string& name : study.published)
     static_cast<void>(read_series(series_file(study, name, series_folder)));
-  check_references(study, series_folder);
+  const std::vector<AskedSeries> asked = asked_series(study, series_folder);
   std::map<std::string, std::size_t> known;
   std::vector<const StudyRun*> different;
   for (const StudyRun& run : study.runs)
@@ -339,7 +342,7 @@ void check_study(Study& study, const fs::path& programs, const std::string& only
   for (StudyRun& run : study.runs)
     if (only.empty() || run.name == only) run.resolved = answers[known.at(computation_of(run))];
   check_physics(study);
-  if (only.empty()) check_cases_of_references(study, series_folder);
+  if (only.empty()) check_cases_of(asked, study);
   check_observables(study);
   check_snapshots(study);
 }
