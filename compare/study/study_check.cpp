@@ -342,7 +342,7 @@ void check_study(Study& study, const fs::path& programs, const std::string& only
   for (StudyRun& run : study.runs)
     if (only.empty() || run.name == only) run.resolved = answers[known.at(computation_of(run))];
   check_physics(study);
-  if (only.empty()) check_cases_of(asked, study);
+  if (only.empty() && !asked.empty()) check_cases_of(asked, study);
   check_observables(study);
   check_snapshots(study);
 }
