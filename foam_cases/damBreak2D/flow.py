@@ -97,7 +97,10 @@ class Mesh:
         corners = numbers(entry("system/blockMeshDict", "vertices"))
         scale = numbers(entry("system/blockMeshDict", "scale"))[0]
         exact = [scale * f(corners[a::3]) for f in (min, max) for a in range(3)]
-        if any(abs(a - b) > 1e-5 * (box[3] - box[0]) for a, b in zip(box, exact)):
+        # Bodies with a surface may cut off all cells along a side.
+        beyond = [s * (b - a) for s, a, b in zip((1, 1, 1, -1, -1, -1), exact, box)]
+        near, cut = 1e-5 * (exact[3] - exact[0]), surfaces()["cut"]
+        if any(x < -near or (x > near and not cut) for x in beyond):
             fail("system/blockMeshDict: vertices", exact, f"those of the mesh, {box}")
         self.lower, self.upper = exact[:3], exact[3:]
         self.cells = int(re.search(r"^ +cells: +(\d+)", text, re.M)[1])
@@ -110,7 +113,10 @@ class Mesh:
         self.thickness = self.upper[2] - self.lower[2]
 
     def side(self, patch):
-        """The side of the tank that a boundary is all in; None for the surface of an obstacle."""
+        """The side of the tank that a boundary is all in; None for the surface of an obstacle, and
+        for a side of which bodies with a surface have left nothing."""
+        if patch not in self.boxes and surfaces()["cut"]:
+            return None
         box = self.boxes[patch]
         for side, name in enumerate(SIDES[: 2 * self.dimension]):
             axis, end = side // 2, (self.lower, self.upper)[side % 2]

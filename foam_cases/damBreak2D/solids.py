@@ -18,9 +18,12 @@ def covered(boxes):
 
 
 def surfaces():
-    """What the case states of obstacles with a surface: all obstacles, and the water they replace."""
+    """What the case states of obstacles with a surface: all obstacles, and the water they replace;
+    and whether there are any."""
     path = pathlib.Path("constant/obstacles.json")
-    return json.loads(path.read_text()) if path.exists() else {"obstacles": [], "cut_from_water": 0}
+    if not path.exists():
+        return {"obstacles": [], "cut_from_water": 0, "cut": False}
+    return {**json.loads(path.read_text()), "cut": True}
 
 
 def size_of(solid, thickness):

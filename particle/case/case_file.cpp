@@ -44,9 +44,11 @@ void read_flags(const TomlTable& table, std::string_view key,
   }
 }
 
+/// Without the room that it may state.
 Tank read_tank(const TomlTable& table, int dimension) {
   Tank tank;
-  tank.box = read_box(table, dimension);
+  if (!table.has("polygon") || table.has("lower") || table.has("upper"))
+    tank.box = read_box(table, dimension);
   read_flags(table, "open", std::span(side_names).first(2 * size(dimension)), tank.open);
   read_flags(table, "periodic", std::span(axis_names).first(size(dimension)), tank.periodic);
   if (table.has("wall")) tank.wall = table.enumerator("wall", enum_names<WallCondition>);
@@ -154,6 +156,9 @@ Case read_case(const TomlTable& root) {
   for (const TomlTable& table : root.tables("obstacle")) {
     c.obstacles.push_back(read_obstacle(table, c.dimension));
   }
+  if (c.has_tank)
+    for (Obstacle& body : read_room(root.table("tank"), c.dimension, c.tank))
+      c.obstacles.push_back(std::move(body));
   if (const auto table = root.optional_table("motion"))
     c.motion = read_tank_motion(*table, c.dimension);
   for (const TomlTable& table : root.tables("moving_wall"))

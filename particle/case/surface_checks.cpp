@@ -87,7 +87,8 @@ class SurfaceChecker {
  private:
   [[noreturn]] void refuse(std::size_t i, const std::string& found,
                            const std::string& expected) const {
-    const TomlTable table = root_.tables("obstacle")[i];
+    const auto stated = root_.tables("obstacle");  // those after them come with the tank
+    const TomlTable table = i < stated.size() ? stated[i] : root_.table("tank");
     throw table.error(place_key(table), found, expected);
   }
 

@@ -128,8 +128,8 @@ void add_obstacle(Particles<D>& p, const Box& box, double l0, int layers) {
 }
 
 template <int D>
-void add_surface(Particles<D>& p, const Case& c, const Obstacle& obstacle, int layers) {
-  for_each_in_surface<D>(c, obstacle, layers, [&](const Point& place, int layer) {
+void add_surface(Particles<D>& p, const Case& c, std::size_t number, int layers) {
+  for_each_in_surface<D>(c, number, layers, [&](const Point& place, int layer) {
     Vec<D> x;
     std::copy_n(place.begin(), D, x.begin());
     append<D>(p, x, Vec<D>{}, layer_type(layer));
@@ -143,11 +143,11 @@ Particles<D> initial_particles(const Case& c, int wall_layers) {
   Particles<D> p;
   for (const FluidBlock& block : c.blocks) add_block<D>(p, c, block);
   if (c.has_tank) add_tank<D>(p, c.tank, c.spacing, wall_layers);
-  for (const Obstacle& obstacle : c.obstacles) {
-    if (obstacle.surface)
-      add_surface<D>(p, c, obstacle, wall_layers);
+  for (std::size_t i = 0; i < c.obstacles.size(); ++i) {
+    if (c.obstacles[i].surface)
+      add_surface<D>(p, c, i, wall_layers);
     else
-      add_obstacle<D>(p, obstacle, c.spacing, wall_layers);
+      add_obstacle<D>(p, c.obstacles[i], c.spacing, wall_layers);
   }
   for (const MovingWall& wall : c.moving_walls)
     add_obstacle<D>(p, wall.box, c.spacing, wall_layers);

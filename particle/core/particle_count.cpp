@@ -94,7 +94,8 @@ double count_obstacle(const Case& c, const Box& box, int layers) {
 }
 
 /// The layers inside a surface: one by one, or where they are too many by its area, or volume.
-double count_surface(const Case& c, const Obstacle& obstacle, int layers) {
+double count_surface(const Case& c, std::size_t number, int layers) {
+  const Obstacle& obstacle = c.obstacles[number];
   if (SurfaceLattice(c, obstacle).cells() > most_places) {
     const double depth = layers * c.spacing;
     return std::round(std::min(obstacle.surface->volume(), obstacle.surface->area() * depth) /
@@ -103,16 +104,17 @@ double count_surface(const Case& c, const Obstacle& obstacle, int layers) {
   double count = 0.0;
   const auto add = [&](const Point&, int) { count += 1.0; };
   if (c.dimension == 2)
-    for_each_in_surface<2>(c, obstacle, layers, add);
+    for_each_in_surface<2>(c, number, layers, add);
   else
-    for_each_in_surface<3>(c, obstacle, layers, add);
+    for_each_in_surface<3>(c, number, layers, add);
   return count;
 }
 
 /// Particles of a block that surfaces leave no place for. One by one, or by the volume.
 double count_cut_out(const Case& c, const FluidBlock& block) {
   double count = 0.0;
-  for (const Obstacle& obstacle : c.obstacles) {
+  for (std::size_t number = 0; number < c.obstacles.size(); ++number) {
+    const Obstacle& obstacle = c.obstacles[number];
     if (!obstacle.surface) continue;
     Counts first{}, end{1.0, 1.0, 1.0};
     Box shared{};
@@ -135,7 +137,7 @@ double count_cut_out(const Case& c, const FluidBlock& block) {
         for (double i = first[0]; i < end[0]; ++i) {
           const Point x = centre_of(c, block.box, {i, j, k});
           const bool in = block.shape == FluidBlock::Shape::box || inside_ball_at(c, block.box, x);
-          if (in && obstacle.surface->distance(x) <= reach) count += 1.0;
+          if (in && filled_by(c, x) == number) count += 1.0;
         }
   }
   return count;
@@ -151,9 +153,9 @@ ParticleCount count_particles(const Case& c, int wall_layers) {
     count.fluid -= count_cut_out(c, block);
   }
   if (c.has_tank) count.wall += count_tank(c, wall_layers);
-  for (const Obstacle& obstacle : c.obstacles)
-    count.wall += obstacle.surface ? count_surface(c, obstacle, wall_layers)
-                                   : count_obstacle(c, obstacle, wall_layers);
+  for (std::size_t i = 0; i < c.obstacles.size(); ++i)
+    count.wall += c.obstacles[i].surface ? count_surface(c, i, wall_layers)
+                                         : count_obstacle(c, c.obstacles[i], wall_layers);
   for (const MovingWall& wall : c.moving_walls)
     count.wall += count_obstacle(c, wall.box, wall_layers);
   return count;

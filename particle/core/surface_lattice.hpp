@@ -14,15 +14,23 @@ namespace surge {
 /// A place this close to a surface (in spacings) is solid: what is on it to rounding is, too.
 inline constexpr double on_surface = 1e-6;
 
+/// The first of the obstacles with a surface that a lattice place lies in, which has its particle;
+/// their number where there is none.
+[[nodiscard]] inline std::size_t filled_by(const Case& c, const Point& x) {
+  const auto found =
+      std::find_if(c.obstacles.begin(), c.obstacles.end(), [&](const Obstacle& obstacle) {
+        if (!obstacle.surface) return false;
+        const double reach = on_surface * c.spacing;
+        for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
+          if (x[a] < obstacle.lower[a] - reach || x[a] > obstacle.upper[a] + reach) return false;
+        return obstacle.surface->distance(x) <= reach;
+      });
+  return static_cast<std::size_t>(found - c.obstacles.begin());
+}
+
 /// Whether no fluid particle is made at a place, as an obstacle with a surface fills it.
 [[nodiscard]] inline bool is_filled(const Case& c, const Point& x) {
-  return std::any_of(c.obstacles.begin(), c.obstacles.end(), [&](const Obstacle& obstacle) {
-    if (!obstacle.surface) return false;
-    const double reach = on_surface * c.spacing;
-    for (std::size_t a = 0; a < static_cast<std::size_t>(c.dimension); ++a)
-      if (x[a] < obstacle.lower[a] - reach || x[a] > obstacle.upper[a] + reach) return false;
-    return obstacle.surface->distance(x) <= reach;
-  });
+  return filled_by(c, x) < c.obstacles.size();
 }
 
 /// Layer of wall particles at a depth (m) below a surface: 1 down to one spacing, 2 to two ...
@@ -49,9 +57,10 @@ struct SurfaceLattice {
 };
 
 /// Calls f(place, layer) for the lattice places of an obstacle with a surface, as deep as so many
-/// layers of wall particles reach.
+/// layers of wall particles reach. A place on a face between two obstacles is one of the first.
 template <int D, class F>
-void for_each_in_surface(const Case& c, const Obstacle& obstacle, int layers, F&& f) {
+void for_each_in_surface(const Case& c, std::size_t number, int layers, F&& f) {
+  const Obstacle& obstacle = c.obstacles[number];
   const SurfaceLattice lattice(c, obstacle);
   std::array<int, D> count;
   for (std::size_t a = 0; a < D; ++a)
@@ -64,7 +73,8 @@ void for_each_in_surface(const Case& c, const Obstacle& obstacle, int layers, F&
       x[a] = lattice.origin[a] + (lattice.first[a] + k[a] + 0.5) * c.spacing;
     const double distance = obstacle.surface->distance(x);
     if (distance > on_surface * c.spacing) return;
-    if (const int layer = layer_at(-distance, c.spacing); layer <= layers) f(x, layer);
+    const int layer = layer_at(-distance, c.spacing);
+    if (layer <= layers && filled_by(c, x) == number) f(x, layer);
   });
 }
 
