@@ -10,6 +10,7 @@
 #include "compare/commands/command_options.hpp"
 #include "compare/commands/commands.hpp"
 #include "compare/figures/gnuplot.hpp"
+#include "compare/figures/solids.hpp"
 #include "compare/figures/water.hpp"
 #include "particle/support/error.hpp"
 #include "particle/support/printable.hpp"
@@ -76,8 +77,8 @@ std::size_t frame_index(const Run& run, const std::optional<double>& time) {
               number_text(times.back().value()) + " s");
 }
 
-std::string script(const View& view, const WaterPicture& water, const std::string& title,
-                   double pixel) {
+std::string script(const View& view, const WaterPicture& water, const std::string& solids,
+                   const std::string& title, double pixel) {
   const double across = 1200.0;
   const double down = 200.0 + across * 0.8 * std::clamp(view.y1 / (view.x1 - view.x0), 0.1, 3.0);
   std::string text =
@@ -89,9 +90,10 @@ std::string script(const View& view, const WaterPicture& water, const std::strin
       plot_number(view.x0) + ":" + plot_number(view.x1) +
       "]\nset yrange [0:" + plot_number(view.y1) + "]\n" +
       "set xlabel \"{/:Italic x}/{/:Italic L}\"\n" + "set ylabel \"{/:Italic y}/{/:Italic L}\"\n" +
-      "set title " + plot_label(title) + "\nplot \"water.png\" binary filetype=png origin=(" +
-      plot_number(view.x0 + 0.5 * pixel) + "," + plot_number(0.5 * pixel) +
-      ") dx=" + plot_number(pixel) + " dy=" + plot_number(pixel) + " with rgbalpha notitle";
+      "set title " + plot_label(title) + "\n" + solids +
+      "plot \"water.png\" binary filetype=png origin=(" + plot_number(view.x0 + 0.5 * pixel) + "," +
+      plot_number(0.5 * pixel) + ") dx=" + plot_number(pixel) + " dy=" + plot_number(pixel) +
+      " with rgbalpha notitle";
   if (!water.surface.empty())
     text +=
         ", \"surface.csv\" using 1:2:($3-$1):($4-$2) with vectors nohead lw 1.5 lc rgb "
@@ -122,7 +124,8 @@ void run_plot(const PlotInput& arguments) {
   write_surface(scratch.path() / "surface.csv", water);
   const fs::path gp = scratch.path() / "plot.gp";
   std::ofstream out(gp);
-  out << script(view, water, run.name + ", t = " + fixed_text(time, 3) + " s", image.pixel_size());
+  out << script(view, water, solid_objects(solids_of(run), Seconds(time)),
+                run.name + ", t = " + fixed_text(time, 3) + " s", image.pixel_size());
   out.close();
   if (!out) throw write_error(gp);
   const auto [status, said] = run_process("gnuplot", {"plot.gp"}, scratch.path(), "gnuplot-nox");

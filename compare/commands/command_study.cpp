@@ -28,7 +28,8 @@ void print_study(const nlohmann::json& study) {
     std::string roles;
     for (const nlohmann::json& role : run["roles"]) {
       roles += (roles.empty() ? "" : "; ") + role["role"].get<std::string>();
-      if (role["group"] != "") roles += " (" + role["group"].get<std::string>() + ")";
+      if (const auto group = role["group"].get<std::string>(); !group.empty())
+        roles += " (" + group + ")";
     }
     std::printf("  %-36s %s, %s\n", run["name"].get<std::string>().c_str(),
                 run["program"].get<std::string>().c_str(), printable(roles).c_str());

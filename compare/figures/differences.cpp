@@ -67,12 +67,6 @@ Image picture_of(const WaterDifference& found, const PictureScale& scale,
   return image;
 }
 
-std::string object(const Rectangle& box, const char* colour) {
-  return "set object rectangle from " + plot_number(box.x0) + "," + plot_number(box.y0) + " to " +
-         plot_number(box.x1) + "," + plot_number(box.y1) + " front fc rgb \"" + colour +
-         "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
-}
-
 /// "MPS paper, l0 = 5 mm" is wider than one of six columns.
 std::string broken_label(std::string label) {
   if (const auto comma = label.find(", "); comma != std::string::npos)
@@ -169,12 +163,7 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
       if (r == 0)
         figure.script += "set label 4 " + plot_label(broken_label(runs[c]->label())) +
                          " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
-      for (const Rectangle& box : solids.obstacles) figure.script += object(box, "#8a8a8a");
-      for (const Outline& outline : solids.outlines)
-        figure.script += outline_object(
-            outline, "front fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
-      for (const Solids::MovingWall& wall : solids.walls)
-        figure.script += object(wall.at(times[r]), "#e69f00");
+      figure.script += solid_objects(solids, times[r]);
       const DifferencePanel& panel = rows[r][c];
       if (!panel.found) {
         figure.script += "set label 3 " + plot_label(panel.missing) +

@@ -16,7 +16,7 @@ constexpr double margin_mm = 6.0, line_mm = 3.9;
 class View {
  public:
   View(const Run& run, std::size_t upright, double top_mm, double height_mm)
-      : physics_(run.physics), run_(run), up_(upright), top_(top_mm), figure_(height_mm) {
+      : physics_(run.physics), up_(upright), top_(top_mm), figure_(height_mm) {
     outline_ = physics_.tank.value_or(physics_.column);
     for (const std::size_t a : {std::size_t{0}, up_}) {
       lower_[a] = std::isfinite(outline_.lower[a]) ? outline_.lower[a] : physics_.column.lower[a];
@@ -165,7 +165,6 @@ class View {
   }
 
   const Physics& physics_;
-  const Run& run_;
   std::size_t up_;
   double top_, figure_;
   Extent outline_;

@@ -105,22 +105,6 @@ std::string panel_plot(const SnapshotPanel& panel, const std::string& image, dou
   return plot + "\n";
 }
 
-/// Obstacles, and the walls that move where they are then.
-std::string solid_objects(const SnapshotPanel& panel) {
-  std::string text;
-  const auto add = [&](const Rectangle& box, const char* colour) {
-    text += "set object rectangle from " + plot_number(box.x0) + "," + plot_number(box.y0) +
-            " to " + plot_number(box.x1) + "," + plot_number(box.y1) + " front fc rgb \"" + colour +
-            "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
-  };
-  for (const Rectangle& box : panel.solids.obstacles) add(box, "#8a8a8a");
-  for (const Outline& outline : panel.solids.outlines)
-    text += outline_object(outline,
-                           "front fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
-  for (const Solids::MovingWall& wall : panel.solids.walls) add(wall.at(panel.time), "#e69f00");
-  return text;
-}
-
 /// On a line above panel_label(): six columns leave no room for both side by side.
 std::string row_heading(const Row& row, const Scales& scales) {
   return "set label 1 \"{/:Italic t} = " + fixed_text(row.time.value(), 2) +
@@ -226,7 +210,7 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Snapsh
       script += "set label 4 " + plot_label(two_lines(panel.run->label())) +
                 " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
     }
-    script += solid_objects(panel) + panel_label(panel, row) +
+    script += solid_objects(panel.solids, panel.time) + panel_label(panel, row) +
               panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
               "unset label\nunset object\n";
   }

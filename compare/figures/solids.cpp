@@ -207,4 +207,19 @@ Solids solids_of(const Run& run) {
   return solids;
 }
 
+std::string solid_objects(const Solids& solids, Seconds time) {
+  const std::string border = " fs solid 1 border lc rgb \"#303030\" lw 0.6";
+  std::string text;
+  const auto add = [&](const Rectangle& box, const char* colour) {
+    text += "set object rectangle from " + plot_number(box.x0) + "," + plot_number(box.y0) +
+            " to " + plot_number(box.x1) + "," + plot_number(box.y1) + " front fc rgb \"" + colour +
+            "\"" + border + "\n";
+  };
+  for (const Rectangle& box : solids.obstacles) add(box, "#8a8a8a");
+  for (const Outline& outline : solids.outlines)
+    text += outline_object(outline, "front fc rgb \"#8a8a8a\"" + border);
+  for (const Solids::MovingWall& wall : solids.walls) add(wall.at(time), "#e69f00");
+  return text;
+}
+
 }  // namespace surge::compare

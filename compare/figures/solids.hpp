@@ -77,4 +77,7 @@ struct Solids {
 };
 [[nodiscard]] Solids solids_of(const Run& run);
 
+/// gnuplot's objects of obstacles, and of the walls that move where they are then.
+[[nodiscard]] std::string solid_objects(const Solids& solids, Seconds time);
+
 }  // namespace surge::compare

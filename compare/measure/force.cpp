@@ -21,6 +21,7 @@ Recorded read_force(const Run& run, const std::string& surface,
     return table;
   }
   std::vector<std::string> columns;
+  columns.reserve(axes.size());
   for (const std::size_t a : axes) columns.push_back("force_" + surface + '_' + "xyz"[a]);
   return read_recorded_csv(run.path / "steps.csv", columns);
 }
