@@ -155,7 +155,7 @@ std::optional<double> rows_of(const fs::path& file) {
               " expected (manifest.json says finished; was it written to or cut short since?)");
 }
 
-void check_particle_run(const Run& run) {
+void check_particle_run(Run& run) {
   const auto frames = number_of(run.manifest, "/frames");
   if (!frames) return;  // an older manifest
   const std::vector<Seconds>& times = run.frames->times();
@@ -170,6 +170,9 @@ void check_particle_run(const Run& run) {
   const auto rows = rows_of(run.path / "steps.csv");
   if (steps && rows && *rows != *steps)
     incomplete(run, number_text(std::max(*rows, 0.0)) + " rows in steps.csv", number_text(*steps));
+  if (steps && !rows)
+    run.notices.push_back(
+        "steps.csv is gone: what was recorded at every step (probes, forces) is not known");
 }
 
 /// Times that the case says it writes, from 0 in its interval.

@@ -74,8 +74,14 @@ std::vector<double> divided_lengths(const Case& c) {
   return lengths;
 }
 
+/// Along an axis: beyond it a double does not tell a whole number of them from another.
+constexpr double most_spacings = 1e12;
+
 std::string division_advice(const Case& c, double length) {
   const double below = std::floor(length / c.spacing);
+  if (!(below < most_spacings))
+    return "at most " + number_text(most_spacings) + " spacings of " + number_text(c.spacing) +
+           " m: a larger spacing";
   std::vector<std::string> sizes, spacings;
   if (below >= 1.0) sizes.push_back(short_text(below * c.spacing));
   sizes.push_back(short_text((below + 1.0) * c.spacing));

@@ -39,7 +39,7 @@ void visit_options(P& p, Visitor&& option) {
   option("numerical_viscosity", p.numerical_viscosity, Bounds::at_least(0.0),
          "kinematic viscosity is no less than this times l0 and the speed of the fastest particle");
   option("ppe_solver", p.ppe_solver, any, "solver of the pressure equation");
-  option("ppe_tolerance", p.ppe_tolerance, Bounds::open(0.0, 1.0),
+  option("ppe_tolerance", p.ppe_tolerance, Bounds::closed(1e-14, 0.5),  // less is rounding
          "relative residual at which the pressure solver stops");
   option("ppe_max_iterations", p.ppe_max_iterations, Bounds::closed(1, 1e9),
          "iterations after which the pressure solver gives up");

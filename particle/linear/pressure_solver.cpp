@@ -10,6 +10,7 @@
 #include "particle/linear/grid_pcg.hpp"
 #include "particle/linear/iccg.hpp"
 #include "particle/linear/timer.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::linear {
@@ -86,7 +87,7 @@ struct PressureSolver::State {
 
 PressureSolver::PressureSolver(const Params& params) {
   if (!(params.tolerance > 0.0 && params.tolerance < 1.0)) {
-    throw Error("ppe_tolerance: found " + std::to_string(params.tolerance) +
+    throw Error("ppe_tolerance: found " + number_text(params.tolerance) +
                 ", expected a number between 0 and 1");
   }
   if (params.max_iterations < 1) {
