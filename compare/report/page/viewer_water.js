@@ -71,11 +71,12 @@
   function drawCells(place, water, field, palette, from, to) {
     const {context} = place;
     for (let i = from; i < to; ++i) {
-      // Edges on whole pixels: no seams between neighbours.
+      // Edges on whole pixels: no seams between neighbours. Places are kept to 1/128 of a cell, so that
+      // an edge may come out once below and once above half a pixel; a little more covers that.
       const left = Math.round(place.x(water.x[i] - water.half));
-      const right = Math.round(place.x(water.x[i] + water.half));
+      const right = Math.round(place.x(water.x[i] + 1.02 * water.half));
       const upper = Math.round(place.y(water.y[i] + water.half));
-      const lower = Math.round(place.y(water.y[i] - water.half));
+      const lower = Math.round(place.y(water.y[i] - 1.02 * water.half));
       context.globalAlpha = water.fraction[i] / 255;
       context.fillStyle = palette[field[i]];
       context.fillRect(left, upper, right - left, lower - upper);
