@@ -245,7 +245,7 @@ Figure snapshot_figure(const StudyResult& study) {
 
   Figure figure;
   figure.name = "fig7";
-  figure.title = "Fig. 7. Dam-break flow at different times";
+  figure.title = "Fig. 7. The flow at different times";
   figure.caption =
       "Pressure over that of the resting column, p/(ρgH) with H its height; colours end at 0 and "
       "1. Particles are discs of diameter l0. On the mesh the colour fades with the volume "

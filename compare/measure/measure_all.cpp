@@ -69,6 +69,7 @@ class Follower {
 std::vector<Findings> measure_all(Run& run,
                                   const std::vector<std::unique_ptr<Observable>>& observables) {
   std::vector<Follower> followers;
+  followers.reserve(observables.size());
   for (const auto& observable : observables) followers.emplace_back(*observable);
   FrameView view(run.physics, run.spacing);
   for (std::size_t i = 0; i < run.frames->times().size(); ++i) {
@@ -85,6 +86,7 @@ std::vector<Findings> measure_all(Run& run,
     for (Follower* follower : looking) follower->look(view);
   }
   std::vector<Findings> all;
+  all.reserve(followers.size());
   for (Follower& follower : followers) all.push_back(follower.findings());
   for (const std::string& notice : run.frames->notices()) {
     if (std::find(run.notices.begin(), run.notices.end(), notice) == run.notices.end())

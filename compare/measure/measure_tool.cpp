@@ -26,7 +26,7 @@ bool is_table(const fs::path& file) {
 
 /// The folder of the source; of a DualSPHysics run the run's.
 fs::path run_folder(const Run& run) {
-  const fs::path folder = fs::is_directory(run.path) ? run.path : run.path.parent_path();
+  fs::path folder = fs::is_directory(run.path) ? run.path : run.path.parent_path();
   const fs::path above = fs::absolute(folder).lexically_normal().parent_path();
   for (const fs::path& place : {above, above.parent_path()})
     if (fs::exists(place / "Run.out") || fs::exists(place / "Run.csv")) return place;

@@ -13,8 +13,6 @@
 
 #include "particle/support/error.hpp"
 
-extern char** environ;
-
 namespace surge::compare {
 
 namespace fs = std::filesystem;
@@ -92,6 +90,7 @@ VideoPipe::VideoPipe(const fs::path& out, std::size_t width, std::size_t height,
   posix_spawn_file_actions_adddup2(&actions, said[1], STDERR_FILENO);
   std::vector<std::string> words = words_of(unfinished_, kind, width, height, pictures);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const int failure = posix_spawnp(&child_, "ffmpeg", &actions, nullptr, pointers.data(), environ);

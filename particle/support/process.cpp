@@ -12,8 +12,6 @@
 
 #include "particle/support/error.hpp"
 
-extern char** environ;
-
 namespace surge {
 
 namespace {
