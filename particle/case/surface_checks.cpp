@@ -53,7 +53,10 @@ class SurfaceChecker {
         const FluidBlock& block = case_.blocks[k];
         if (block.shape != FluidBlock::Shape::ball) {
           if (solids_[i].surface->share_of(block.box) > 1.0 - 1e-9)
-            refuse(i, "all of block." + std::to_string(k) + " inside it", "room for the fluid");
+            refuse(i,
+                   "all of block." + std::to_string(k) +
+                       (is_of_tank(i) ? " outside the room" : " inside it"),
+                   "room for the fluid");
           continue;
         }
         Point centre{};
@@ -85,10 +88,14 @@ class SurfaceChecker {
   }
 
  private:
+  /// Those after the stated ones fill the tank around its room.
+  [[nodiscard]] bool is_of_tank(std::size_t i) const {
+    return i >= root_.tables("obstacle").size();
+  }
+
   [[noreturn]] void refuse(std::size_t i, const std::string& found,
                            const std::string& expected) const {
-    const auto stated = root_.tables("obstacle");  // those after them come with the tank
-    const TomlTable table = i < stated.size() ? stated[i] : root_.table("tank");
+    const TomlTable table = is_of_tank(i) ? root_.table("tank") : root_.tables("obstacle")[i];
     throw table.error(place_key(table), found, expected);
   }
 

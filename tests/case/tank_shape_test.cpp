@@ -172,6 +172,8 @@ TEST(TankShape, FaultsOfATankNameItsKeys) {
               HasSubstr("tank.polygon: found a surface that crosses"));
   EXPECT_THAT(refusal(replaced("polygon = ", "lower = [0.1, 0.0]\nupper = [0.6, 0.3]\npolygon = ")),
               HasSubstr("tank.polygon: found a room from x = 0 to 0.6"));
+  EXPECT_THAT(refusal(replaced("upper = [0.6, 0.2]", "upper = [0.1, 0.05]")),
+              HasSubstr("tank.polygon: found all of block.0 outside the room"));
 }
 
 }  // namespace

@@ -63,6 +63,22 @@ class MadeCases(FoamTest):
         self.assertEqual(manifest["case"]["obstacles"],
                          [{"lower": [0.2, 0.0, 0.0], "upper": [0.4, 0.2, 0.0], "polygon": wedge}])
 
+    def test_still_water_in_a_room_that_is_no_box(self):
+        # A hexagon in the tank's box, which no cell that is left reaches.
+        room = [[0.15, 0.05], [0.25, 0.05], [0.35, 0.15], [0.25, 0.25], [0.15, 0.25], [0.05, 0.15]]
+        text = case_text(
+            fluid=water([0.0, -G]),
+            tank={"lower": [0.0, 0.0], "upper": [0.4, 0.3], "polygon": room},
+            block=[box([0.0, 0.0], [0.4, 0.15])])
+        folder, manifest = self.run_case(text, "cellsPerL=40")
+        self.assertLess(fastest(folder, "0.02"), 1e-2)
+        area, half = 0.1 * 0.2 + 0.1 * 0.2, 0.02
+        self.assertAlmostEqual(manifest["cells"] * 1e-4 / area, 1.0, delta=0.06)
+        self.assertAlmostEqual(manifest["water_volume_stated"] / manifest["thickness"], half, delta=1e-9)
+        self.assertAlmostEqual(manifest["water_volume_start"] / manifest["water_volume_stated"], 1.0, delta=0.06)
+        self.assertEqual(len(manifest["case"]["obstacles"]), 2)
+        self.assertEqual(manifest["case"]["tank"]["upper"][:2], [0.4, 0.3])
+
     def test_still_water_around_a_body_from_an_stl_file(self):
         # A pyramid that stands on the floor, 0.2 m wide and 0.2 m high, all under water.
         corners = [(0.1, 0, 0.1), (0.3, 0, 0.1), (0.3, 0, 0.3), (0.1, 0, 0.3), (0.2, 0.2, 0.2)]
