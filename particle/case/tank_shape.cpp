@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <ranges>
 
 #include "particle/case/vectors.hpp"
 #include "particle/support/bounds.hpp"
@@ -39,8 +38,9 @@ class PlaneTank {
   }
 
   [[nodiscard]] std::vector<ClosedSurface> bodies() const {
-    const auto all = std::views::iota(std::size_t{0}, corners_.size());
-    if (std::ranges::all_of(all, [&](std::size_t i) { return is_joined(i); })) return {};
+    std::size_t joined = 0;
+    for (std::size_t i = 0; i < corners_.size(); ++i) joined += is_joined(i) ? 1 : 0;
+    if (joined == corners_.size()) return {};  // the room is the box
     std::vector<RoomContact> contacts = touching();
     if (contacts.size() < 2 && !(contacts.size() == 1 && contacts[0].end != contacts[0].begin))
       contacts = cuts();
