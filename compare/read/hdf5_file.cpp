@@ -250,6 +250,7 @@ std::vector<std::string> stars_of(const Hdf5File& file, const std::string& patte
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> stars;
+  stars.reserve(found.size());
   for (const auto& [number, text] : found) stars.push_back(text);
   return stars;
 }

@@ -80,7 +80,7 @@ void read_run_files(const SourceView& view, Layout& layout) {
 std::string dualsphysics_stem(const SourceView& view) {
   for (const std::string name : {"PartFluid", "PartAll", "PartVtk", "PartCsv", "Part"})
     for (const char* extension : {"_*.vtk", "_*.csv"}) {
-      const std::string stem = name + extension;
+      std::string stem = name + extension;
       if (!view.stems().contains(stem)) continue;
       const ParticleTable& table = view.table(stem);
       if (table.find("Idp") != nullptr) return stem;

@@ -145,7 +145,7 @@ class Reader {
     if (components == 0 || components > most / std::max<std::size_t>(tuples, 1) ||
         (text_.size() - at_ + 1) / least < number)
       cut_short(section, number);
-    const auto array = Values::Take(vtkDataArray::CreateDataArray(kind->vtk));
+    auto array = Values::Take(vtkDataArray::CreateDataArray(kind->vtk));
     array->SetNumberOfComponents(static_cast<int>(components));
     array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
     for (std::size_t k = 0; k < number; ++k) {

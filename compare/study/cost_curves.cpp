@@ -219,7 +219,7 @@ void measure_scaling(const StudyResult& study, json& metrics) {
   }
   metrics["scaling"] = json::object();
   for (const auto& [whole, curve] : curves) {
-    const auto same = [&](const auto& other) { return other.second.key() == curve.key(); };
+    const auto same = [key = curve.key()](const auto& other) { return other.second.key() == key; };
     const bool alone = std::count_if(curves.begin(), curves.end(), same) == 1;
     json out = curve_json(curve, steps[curve.method + curve.preset]);
     if (!alone) out["label"] = curve.label() + ", " + curve.machine();

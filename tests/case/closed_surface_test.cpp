@@ -119,7 +119,9 @@ TEST(ClosedSurface, WhatIsNoSimplePolygonIsRefused) {
 }
 
 TEST(ClosedSurface, TrianglesThatHoldNoBodyAreRefused) {
-  const auto [vertices, facets] = test::cube_triangles({0, 0, 0}, {1, 1, 1});
+  const test::Triangles cube = test::cube_triangles({0, 0, 0}, {1, 1, 1});
+  const auto& vertices = cube.first;
+  const auto& facets = cube.second;
   auto open = facets, turned = facets, inwards = facets;
   open.pop_back();
   std::swap(turned[3][0], turned[3][1]);
