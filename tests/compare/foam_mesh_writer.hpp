@@ -35,7 +35,7 @@ class FoamTestTank {
   /// `n` cells of size `h`; `empty`: the axis that a 2D case does not have, 3 for none. It is one
   /// cell thick and not refined.
   FoamTestTank(std::array<int, 3> n, double h, std::size_t empty, const Refined& refined = {})
-      : n_(n), h_(h), empty_(empty) {
+      : h_(h), empty_(empty) {
     std::array<int, 3> c{};
     for (c[2] = 0; c[2] < n[2]; ++c[2])
       for (c[1] = 0; c[1] < n[1]; ++c[1])
@@ -144,7 +144,6 @@ class FoamTestTank {
     return points;
   }
 
-  std::array<int, 3> n_;
   double h_;
   std::size_t empty_;
   std::vector<Box> cells_;

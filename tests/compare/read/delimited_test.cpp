@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "compare/read/particle_table.hpp"
 #include "tests/compare/synthetic.hpp"
 
@@ -129,8 +131,9 @@ TEST(Formats, OthersAreRefusedWithWhatToExport) {
                                    {"Part_0001.bi4", "PartVTK"},
                                    {"water_1.plt", "BodyStatesRecordingToVtp"},
                                    {"dam_0.npz", "h5py"}}) {
-    write_text(folder / name, "binary");
-    EXPECT_THAT(error_of([&] { (void)format_of(folder / name, {}); }), HasSubstr(word));
+    const std::filesystem::path file = folder / name;
+    write_text(file, "binary");
+    EXPECT_THAT(error_of([&] { (void)format_of(file, {}); }), HasSubstr(word));
   }
   write_text(folder / "x_0.csv", "");
   EXPECT_THAT(error_of([&] { (void)format_of(folder / "x_0.csv", {}); }), HasSubstr("empty"));
