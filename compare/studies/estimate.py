@@ -172,6 +172,25 @@ def keep(found: Estimate, runs: list[Run], cores: int) -> None:
     FILE.write_text(json.dumps({"cores": cores, "runs": plan}), encoding="utf-8")
 
 
+def most_urgent_last(runs: list[Run]) -> list[Run]:
+    """The one to start first comes last: the shortest first, the longest after it. A run of several threads, or one
+    that is timed and gets the machine, comes last of all: it waits until so many cores are free at
+    once, which they are at the beginning. So the last to be started are short, and no core is
+    without work for long. What keep() left is the measure; of what it does not know, nothing is
+    assumed to be short."""
+    try:
+        plan = json.loads(FILE.read_text(encoding="utf-8"))
+        seconds = {run["name"]: run["seconds"] for run in plan["runs"]}
+    except (OSError, ValueError, KeyError, TypeError):
+        seconds = {}
+
+    def urgency(run: Run) -> tuple[bool, int, float]:
+        expected = seconds.get(run.name)
+        return run.timed, run.threads, float("inf") if expected is None else float(expected)
+
+    return sorted(runs, key=urgency)
+
+
 def left(done: str) -> str:
     """", about 12 min left" after a run; empty where nothing is known."""
     try:

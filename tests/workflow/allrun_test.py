@@ -170,6 +170,13 @@ class Estimate(Project):
         self.write("broken_machine", "")
         self.assertEqual(self.estimated(), ["estimate: not possible before the programs are built"])
 
+    def test_those_of_several_threads_begin_and_the_longest_of_the_others_follow(self):
+        text = STUDY.replace("[[run]]", "[[run]]\ntimed = false")
+        self.study(text.replace('"first"\n', '"first"\nset = ["time.end=0.1"]\n'))
+        done = self.allrun("--jobs", "1")
+        started = [line.split()[1] for line in done.stdout.splitlines() if ": started" in line]
+        self.assertEqual(started, ["vof:", "second:", "first:", "report:"], done.stdout + done.stderr)
+
     def test_each_run_tells_what_is_left(self):
         done = self.succeed("--jobs", "1", ran=ALL)
         finished = [line for line in done.stdout.splitlines() if ": finished in " in line]
