@@ -20,6 +20,7 @@
 #include "particle/io/run_size.hpp"
 #include "particle/support/command_line.hpp"
 #include "particle/support/file_size_limit.hpp"
+#include "particle/support/freed_memory.hpp"
 #include "particle/support/new_file.hpp"
 #include "particle/support/passive_waiting.hpp"
 #include "particle/support/printable.hpp"
@@ -215,6 +216,7 @@ int run_program(int argc, char** argv) {
   arguments.run.terminal = isatty(STDOUT_FILENO) == 1 && !arguments.quiet;
   if (run_command->parsed()) {
     if (arguments.run.threads > 1) surge::wait_passively(argv);
+    surge::keep_freed_memory();
     return run(arguments);
   }
   if (check_command->parsed()) check(arguments);

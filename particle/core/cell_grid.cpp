@@ -6,9 +6,20 @@
 #include <cmath>
 #include <limits>
 
+#include "particle/core/extremes.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge {
+namespace {
+
+/// Waits for all threads of a team, where there are others.
+void meet(std::size_t team) {
+  if (team == 1) return;
+#pragma omp barrier
+}
+
+}  // namespace
 
 template <int D>
 Periodicity<D> periodicity_of(const Case& c) {
@@ -29,9 +40,9 @@ void CellGrid<D>::build(std::array<Field, D>& x, double radius, int reach) {
     if (!is_periodic(a)) continue;
     const double lower = periodicity_.lower[a];
     const double length = periodicity_.length[a];
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t i = 0; i < n; ++i)
+    parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
       x[a][i] -= length * std::floor((x[a][i] - lower) / length);
+    });
   }
   reach_ = reach;
   if (single_cell()) {
@@ -49,16 +60,8 @@ void CellGrid<D>::choose_cells(const std::array<Field, D>& x, double radius) {
   double size = wanted;
   Vec<D> extent{};
   for (int a = 0; a < D; ++a) {
-    double lower = std::numeric_limits<double>::max();
-    double upper = std::numeric_limits<double>::lowest();
-    bool finite = true;
-#pragma omp parallel for schedule(static) reduction(min : lower) reduction(max : upper) reduction(&& : finite)
-    for (std::ptrdiff_t i = 0; i < n; ++i) {
-      const double xi = x[a][i];
-      finite = finite && std::isfinite(xi);
-      lower = std::min(lower, xi);
-      upper = std::max(upper, xi);
-    }
+    const double* at = x[a].data();
+    const auto [lower, upper, finite] = extremes_of(n, [&](std::ptrdiff_t i) { return at[i]; });
     if (!finite) throw Error("a particle's position is not finite: the simulation has broken up");
     origin_[a] = is_periodic(a) ? periodicity_.lower[a] : lower;
     extent[a] = is_periodic(a) ? periodicity_.length[a] : upper - lower;
@@ -83,7 +86,8 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
   const std::size_t n = x[0].size();
   std::size_t cells = 1;
   for (int a = 0; a < D; ++a) cells *= static_cast<std::size_t>(cells_[a]);
-  const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+  const bool shared = is_shared(static_cast<std::ptrdiff_t>(n), worth_sharing);
+  const auto threads = shared ? static_cast<std::size_t>(omp_get_max_threads()) : 1;
   cell_of_.resize(n);
   order_.resize(n);
   cell_begin_.resize(cells + 1);
@@ -92,10 +96,7 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
 
   // Stable counting sort: each thread counts and later places one stretch of the old order, so the
   // new order does not depend on the number of threads.
-#pragma omp parallel num_threads(static_cast <int>(threads))
-  {
-    const auto t = static_cast<std::size_t>(omp_get_thread_num());
-    const auto team = static_cast<std::size_t>(omp_get_num_threads());
+  const auto sort = [&](std::size_t t, std::size_t team) {
     const std::size_t begin = n * t / team;
     const std::size_t end = n * (t + 1) / team;
     std::uint32_t* count = histogram_.data() + t * cells;
@@ -110,7 +111,7 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
       cell_of_[i] = static_cast<std::uint32_t>(cell);
       ++count[cell];
     }
-#pragma omp barrier
+    meet(team);
     // Where each cell begins, and in it each thread: every thread does a stretch of the cells.
     const std::size_t first = cells * t / team;
     const std::size_t last = cells * (t + 1) / team;
@@ -118,7 +119,7 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
     for (std::size_t k = 0; team > 1 && k < team; ++k)
       for (std::size_t c = first; c < last; ++c) in_stretch += histogram_[k * cells + c];
     stretch_begin_[t] = in_stretch;
-#pragma omp barrier
+    meet(team);
     std::uint32_t sum = 0;
     for (std::size_t k = 0; k < t; ++k) sum += stretch_begin_[k];
     for (std::size_t c = first; c < last; ++c) {
@@ -130,10 +131,17 @@ void CellGrid<D>::sort_into_cells(const std::array<Field, D>& x) {
       }
     }
     if (t + 1 == team) cell_begin_[cells] = sum;
-#pragma omp barrier
+    meet(team);
     for (std::size_t i = begin; i < end; ++i)
       order_[count[cell_of_[i]]++] = static_cast<std::uint32_t>(i);
+  };
+  if (!shared) {
+    sort(0, 1);
+    return;
   }
+#pragma omp parallel num_threads(static_cast <int>(threads))
+  sort(static_cast<std::size_t>(omp_get_thread_num()),
+       static_cast<std::size_t>(omp_get_num_threads()));
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "particle/case/case.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/search.hpp"
 
@@ -53,8 +54,7 @@ class CellGrid {
     auto& scratch = scratch_for<T>();
     scratch.resize(field.size());
     const auto n = static_cast<std::ptrdiff_t>(field.size());
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t i = 0; i < n; ++i) scratch[i] = field[order_[i]];
+    parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) { scratch[i] = field[order_[i]]; });
     field.swap(scratch);
   }
   /// Applies the order to all fields of the particles.
@@ -69,29 +69,17 @@ class CellGrid {
     reorder(p.id);
   }
 
-  [[nodiscard]] bool single_cell() const {
-    return search_ == Search::all_pairs;
-  }
-  [[nodiscard]] std::size_t cell_count() const {
-    return cell_begin_.size() - 1;
-  }
-  [[nodiscard]] std::size_t particle_count() const {
-    return cell_begin_.back();
-  }
+  [[nodiscard]] bool single_cell() const { return search_ == Search::all_pairs; }
+  [[nodiscard]] std::size_t cell_count() const { return cell_begin_.size() - 1; }
+  [[nodiscard]] std::size_t particle_count() const { return cell_begin_.back(); }
   [[nodiscard]] std::pair<std::size_t, std::size_t> particles_of(std::size_t cell) const {
     return {cell_begin_[cell], cell_begin_[cell + 1]};
   }
 
   /// Cells along each axis, x running fastest in the numbering of cells.
-  [[nodiscard]] const std::array<int, D>& cells() const {
-    return cells_;
-  }
-  [[nodiscard]] int reach() const {
-    return reach_;
-  }
-  [[nodiscard]] bool is_periodic(int axis) const {
-    return periodicity_.length[axis] > 0.0;
-  }
+  [[nodiscard]] const std::array<int, D>& cells() const { return cells_; }
+  [[nodiscard]] int reach() const { return reach_; }
+  [[nodiscard]] bool is_periodic(int axis) const { return periodicity_.length[axis] > 0.0; }
 
   /// Calls f(Segment) for the stretches that hold all neighbours of the particles of a cell.
   template <class F>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/particles.hpp"
 
 namespace surge {
@@ -12,14 +13,12 @@ namespace surge {
 template <int D>
 double fastest_speed(const Particles<D>& p) {
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-  double fastest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : fastest)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  const auto look = [&](std::ptrdiff_t i, double& fastest) {
     double v2 = 0.0;
     for (int a = 0; a < D; ++a) v2 += p.v[a][i] * p.v[a][i];
     fastest = std::max(fastest, v2);
-  }
-  return std::sqrt(fastest);
+  };
+  return std::sqrt(parallel_reduce(n, worth_sharing, 0.0, look, larger));
 }
 
 }  // namespace surge

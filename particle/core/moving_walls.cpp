@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "particle/core/initial_particles.hpp"
+#include "particle/core/parallel_for.hpp"
 
 namespace surge {
 
@@ -30,16 +31,15 @@ void MovingWalls<D>::place(Particles<D>& p, double time) const {
   std::vector<MotionState> state(walls_.size());
   for (std::size_t k = 0; k < walls_.size(); ++k) state[k] = motion_at(walls_[k].law, time);
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     const std::size_t k = wall_of(p.id[i]);
-    if (k == walls_.size()) continue;
+    if (k == walls_.size()) return;
     const Vec<D>& rest = rest_[static_cast<std::size_t>(p.id[i] - first_id_.front())];
     for (std::size_t a = 0; a < D; ++a) {
       p.x[a][i] = rest[a] + state[k].displacement * walls_[k].direction[a];
       p.v[a][i] = state[k].velocity * walls_[k].direction[a];
     }
-  }
+  });
 }
 
 template <int D>
@@ -66,12 +66,11 @@ template <int D>
 void MovingWalls<D>::give_to_particles(const Particles<D>& p, const std::vector<double>& along,
                                        std::array<Field, D>& out) const {
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     const std::size_t k = wall_of(p.id[i]);
     for (std::size_t a = 0; a < D; ++a)
       out[a][i] = k == walls_.size() ? 0.0 : along[k] * walls_[k].direction[a];
-  }
+  });
 }
 
 template <int D>

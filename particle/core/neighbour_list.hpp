@@ -78,8 +78,8 @@ class NeighbourList {
     fields[D] = number_.data();
     const double radius2 = radius * radius;
     pair_loop<D, D + 1>(grid, buffers_, fields, cell_wanted,
-                        [&](std::size_t i, const Tile<D + 1>& tile) {
-                          if (wanted(i)) list_neighbours(i, x, radius2, tile);
+                        [&](std::size_t i, const Tile<D + 1>& tile, std::size_t thread) {
+                          if (wanted(i)) list_neighbours(i, x, radius2, tile, thread);
                         });
   }
 
@@ -100,8 +100,7 @@ class NeighbourList {
   };
 
   void list_neighbours(std::size_t i, const std::array<Field, D>& x, double radius2,
-                       const Tile<D + 1>& tile) {
-    const auto thread = static_cast<std::uint32_t>(omp_get_thread_num());
+                       const Tile<D + 1>& tile, std::size_t thread) {
     auto& chunk = chunk_[thread].entry;
     const std::size_t begin = chunk.size();
     chunk.resize(begin + tile.count);
@@ -123,7 +122,7 @@ class NeighbourList {
       }
     }
     chunk.resize(begin + count);
-    range_[i] = {begin, static_cast<std::uint32_t>(count), thread};
+    range_[i] = {begin, static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(thread)};
   }
 
   Field number_;  ///< 0, 1, 2, ...: travels with the positions through the tiles

@@ -8,6 +8,7 @@
 #include <omp.h>
 
 #include "particle/core/cell_grid.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/simd.hpp"
 
 namespace surge {
@@ -59,9 +60,9 @@ class TileBuffer {
   std::vector<typename CellGrid<D>::Segment> segments_;
 };
 
-/// Calls body(i, tile) for every particle i of the cells for which wanted(cell) holds; the tile has
-/// all particles closer to i than the radius of the grid, i itself among them. Each i is visited by
-/// one thread and its tile has the same order whatever their number.
+/// Calls body(i, tile, thread) for every particle i of the cells for which wanted(cell) holds; the
+/// tile has all particles closer to i than the radius of the grid, i itself among them. Each i is
+/// visited by one thread and its tile has the same order whatever their number.
 template <int D, int F, class Wanted, class Body>
 void pair_loop(const CellGrid<D>& grid, std::vector<TileBuffer<D, F>>& buffers,
                const std::array<const double*, F>& fields, Wanted&& wanted, Body&& body) {
@@ -70,19 +71,18 @@ void pair_loop(const CellGrid<D>& grid, std::vector<TileBuffer<D, F>>& buffers,
   if (grid.single_cell()) {
     const Tile<F> tile = buffers.front().gather(grid, 0, fields);
     const auto n = static_cast<std::ptrdiff_t>(grid.particles_of(0).second);
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t i = 0; i < n; ++i) body(static_cast<std::size_t>(i), tile);
+    parallel_for_in_turn(n, 64, [&](std::ptrdiff_t i, std::size_t thread) {
+      body(static_cast<std::size_t>(i), tile, thread);
+    });
     return;
   }
-#pragma omp parallel for schedule(dynamic, 64)
-  for (std::ptrdiff_t c = 0; c < cells; ++c) {
+  parallel_for_in_turn(cells, 64, [&](std::ptrdiff_t c, std::size_t thread) {
     const auto cell = static_cast<std::size_t>(c);
     const auto [begin, end] = grid.particles_of(cell);
-    if (begin == end || !wanted(cell)) continue;
-    const Tile<F> tile =
-        buffers[static_cast<std::size_t>(omp_get_thread_num())].gather(grid, cell, fields);
-    for (std::size_t i = begin; i < end; ++i) body(i, tile);
-  }
+    if (begin == end || !wanted(cell)) return;
+    const Tile<F> tile = buffers[thread].gather(grid, cell, fields);
+    for (std::size_t i = begin; i < end; ++i) body(i, tile, thread);
+  });
 }
 
 }  // namespace surge

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "particle/core/for_each_cell.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/surface_lattice.hpp"
 #include "particle/core/wall_collision.hpp"
 
@@ -50,14 +51,13 @@ PressureSampler<D>::PressureSampler(const Case& c, std::vector<Vec<D>> points)
   const double all = weight_of_the_open(NoWalls{}, c.spacing, Vec<D>{});
   wet_.resize(points_.size());
   const auto count = static_cast<std::ptrdiff_t>(points_.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::ptrdiff_t k = 0; k < count; ++k) {
+  parallel_for_in_turn(count, 16, [&](std::ptrdiff_t k, std::size_t) {
     const auto i = static_cast<std::size_t>(k);
     double open = weight_of_the_open(walls, c.spacing, points_[i]);
     if (has_surface_near(c, point_of<D>(points_[i]), radius_))
       open = std::min(open, weight_of_the_lattice(walls, c, points_[i]));
     wet_[i] = open < least_open * all ? std::numeric_limits<double>::infinity() : least_wet * open;
-  }
+  });
   sort_points();
 }
 
@@ -205,19 +205,22 @@ const std::vector<double>& PressureSampler<D>::measure(const Particles<D>& parti
   near_.resize(static_cast<std::size_t>(omp_get_max_threads()));
   for (auto& near : near_) near.clear();
   const auto n = static_cast<std::ptrdiff_t>(particles.size());
+  const auto look = [&](std::ptrdiff_t k, std::vector<Near>& near) {
+    const auto i = static_cast<std::size_t>(k);
+    if (particles.type[i] != ParticleType::fluid) return;
+    Vec<D> x = particles.position(i);
+    for (std::size_t a = 0; a < D; ++a) x[a] -= shift[a];
+    for_each_image(x, [&](const Vec<D>& image) { near.push_back({image, particles.pressure[i]}); });
+  };
+  if (is_shared(n, worth_sharing)) {
 #pragma omp parallel
-  {
-    auto& near = near_[static_cast<std::size_t>(omp_get_thread_num())];
+    {
+      auto& near = near_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-    for (std::ptrdiff_t k = 0; k < n; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      if (particles.type[i] != ParticleType::fluid) continue;
-      Vec<D> x = particles.position(i);
-      for (std::size_t a = 0; a < D; ++a) x[a] -= shift[a];
-      for_each_image(x, [&](const Vec<D>& image) {
-        near.push_back({image, particles.pressure[i]});
-      });
+      for (std::ptrdiff_t k = 0; k < n; ++k) look(k, near);
     }
+  } else {
+    for (std::ptrdiff_t k = 0; k < n; ++k) look(k, near_.front());
   }
   for (const auto& near : near_)
     for (const Near& one : near) add(one.x, one.pressure);

@@ -13,6 +13,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <cstdlib>
 #include <sstream>
 
 #include "particle/io/atomic_file.hpp"
@@ -72,6 +73,9 @@ vtkSmartPointer<vtkPolyData> poly_data(const Snapshot& s, const std::string& den
 FrameWriter::FrameWriter(std::filesystem::path folder, std::string density_name,
                          std::vector<double> times)
     : folder_(std::move(folder)), density_name_(std::move(density_name)), times_(std::move(times)) {
+  // A frame is written by one thread while the solver has the others: VTK's own would only wait.
+  // (Its header that says so in words is no C++20.)
+  setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
   make_folder(folder_ / "frames");
   if (!times_.empty()) write_collection();
 }

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <limits>
 
+#include "particle/core/parallel_for.hpp"
+
 namespace surge::linear {
 
 namespace {
@@ -28,20 +30,20 @@ struct Sweep {
 /// Every thread goes through a stretch of its own, upwards or downwards.
 Sweep sweep(const PoissonSystem& system, AlignedVector<char>& open, bool upwards) {
   const auto n = static_cast<std::int32_t>(system.size());
-  std::int32_t found = 0;
-  std::int32_t left = 0;
-#pragma omp parallel for schedule(static) reduction(+ : found, left)
-  for (std::int32_t k = 0; k < n; ++k) {
+  const auto visit = [&](std::int32_t k, Sweep& done) {
     const auto i = static_cast<std::size_t>(upwards ? k : n - 1 - k);
-    if (Flag(open[i]).load(std::memory_order_relaxed) != 0) continue;
+    if (Flag(open[i]).load(std::memory_order_relaxed) != 0) return;
     if (has_open_neighbour(system, open, i)) {
       Flag(open[i]).store(1, std::memory_order_relaxed);
-      ++found;
+      ++done.found;
     } else {
-      ++left;
+      ++done.left;
     }
-  }
-  return {found, left};
+  };
+  return parallel_reduce(n, worth_sharing, Sweep{}, visit, [](Sweep& all, const Sweep& own) {
+    all.found += own.found;
+    all.left += own.left;
+  });
 }
 
 }  // namespace
@@ -50,9 +52,9 @@ const std::vector<Region>& ClosedRegions::find(const PoissonSystem& system, cons
   const auto n = static_cast<std::int32_t>(system.size());
   regions_.clear();
   open_.resize(system.size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i)
+  parallel_for(n, worth_sharing, [&](std::int32_t i) {
     open_[static_cast<std::size_t>(i)] = excess[static_cast<std::size_t>(i)] > 0.0 ? 1 : 0;
+  });
 
   // In cell order one sweep down and one up reach nearly everything; then sweep until at rest.
   for (bool upwards = false;; upwards = !upwards) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/linear/block_sum.hpp"
 #include "particle/linear/pressure_solver.hpp"
 #include "particle/linear/timer.hpp"
@@ -99,11 +100,10 @@ SolveReport ConjugateGradients::operator()(const PoissonSystem& system, Field& p
     rz = precondition(residual_, z_);
     const double beta = rz / rz_before;
     const auto count = static_cast<std::int32_t>(n);
-#pragma omp parallel for schedule(static) if (count > 4096)
-    for (std::int32_t i = 0; i < count; ++i) {
+    parallel_for(count, worth_sharing, [&](std::int32_t i) {
       const auto at = static_cast<std::size_t>(i);
       direction_[at] = z_[at] + beta * direction_[at];
-    }
+    });
   }
   return report;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/support/error.hpp"
 
 namespace surge::linear {
@@ -34,15 +35,14 @@ void sweep(GridLevel<D>& level, const std::vector<std::int32_t>& nodes) {
   const float* rhs = level.rhs.data();
   const float* inverse = level.inverse_diagonal.data();
   float* solution = level.solution.data();
-#pragma omp parallel for schedule(static) if (count > parallel_from)
-  for (std::int32_t k = 0; k < count; ++k) {
+  parallel_for(count, parallel_from, [&](std::int32_t k) {
     const std::int32_t i = node[k];
     float sum = rhs[i];
     for (int s = 0; s < stencil; ++s) {
       sum -= value[i * stencil + s] * solution[neighbour[i * stencil + s]];
     }
     solution[i] = sum * inverse[i];
-  }
+  });
 }
 
 template <int D>
@@ -50,15 +50,14 @@ void restrict_residual(GridLevel<D>& fine, GridLevel<D>& coarse) {
   constexpr int stencil = GridLevel<D>::stencil;
   const std::int32_t n = fine.size();
   const float* solution = fine.solution.data();
-#pragma omp parallel for schedule(static) if (n > parallel_from)
-  for (std::int32_t i = 0; i < n; ++i) {
+  parallel_for(n, parallel_from, [&](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     float sum = fine.rhs[at] - fine.diagonal[at] * solution[i];
     for (std::size_t s = at * stencil; s < (at + 1) * stencil; ++s) {
       sum -= fine.value[s] * solution[fine.neighbour[s]];
     }
     fine.residual[at] = sum;
-  }
+  });
   std::array<float, stencil> weight;
   for (int s = 0; s < stencil; ++s) {
     weight[static_cast<std::size_t>(s)] = 1.0F;
@@ -67,30 +66,28 @@ void restrict_residual(GridLevel<D>& fine, GridLevel<D>& coarse) {
     }
   }
   const std::int32_t m = coarse.size();
-#pragma omp parallel for schedule(static) if (m > parallel_from)
-  for (std::int32_t i = 0; i < m; ++i) {
+  parallel_for(m, parallel_from, [&](std::int32_t i) {
     float sum = 0.0F;
     for (std::size_t s = 0; s < stencil; ++s) {
       const std::int32_t c = coarse.child[static_cast<std::size_t>(i) * stencil + s];
       if (c >= 0) sum += weight[s] * fine.residual[static_cast<std::size_t>(c)];
     }
     coarse.rhs[static_cast<std::size_t>(i)] = sum;
-  }
+  });
 }
 
 template <int D>
 void correct(const GridLevel<D>& coarse, GridLevel<D>& fine) {
   constexpr int corners = GridLevel<D>::corners;
   const std::int32_t n = fine.size();
-#pragma omp parallel for schedule(static) if (n > parallel_from)
-  for (std::int32_t i = 0; i < n; ++i) {
+  parallel_for(n, parallel_from, [&](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     float sum = 0.0F;
     for (std::size_t q = at * corners; q < (at + 1) * corners; ++q) {
       sum += fine.parent_weight[q] * coarse.solution[static_cast<std::size_t>(fine.parent[q])];
     }
     fine.solution[at] += sum;
-  }
+  });
 }
 
 }  // namespace
@@ -161,8 +158,7 @@ void GridMultigrid<D>::galerkin(const GridLevel<D>& fine, GridLevel<D>& coarse) 
   constexpr int stencil = GridLevel<D>::stencil;
   constexpr int centre = stencil / 2;
   const std::int32_t n = coarse.size();
-#pragma omp parallel for schedule(static) if (n > parallel_from / 4)
-  for (std::int32_t node = 0; node < n; ++node) {
+  parallel_for(n, parallel_from / 4, [&](std::int32_t node) {
     const auto at = static_cast<std::size_t>(node);
     std::array<float, stencil> row{};
     for (int o = 0; o < stencil; ++o) {
@@ -211,7 +207,7 @@ void GridMultigrid<D>::galerkin(const GridLevel<D>& fine, GridLevel<D>& coarse) 
         coarse.value[entry] = a_ij;
       }
     }
-  }
+  });
   coarse.finish();
 }
 

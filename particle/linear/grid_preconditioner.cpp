@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "particle/core/extremes.hpp"
+#include "particle/core/parallel_for.hpp"
+
 namespace surge::linear {
 
 namespace {
@@ -36,11 +39,10 @@ template <int D>
 void GridPreconditioner<D>::setup(const PoissonSystem& system, const Field& excess, double width) {
   const auto n = static_cast<std::int32_t>(system.size());
   inverse_diagonal_.resize(system.size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i) {
+  parallel_for(n, worth_sharing, [&](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     inverse_diagonal_[at] = 1.0 / system.diagonal[at];
-  }
+  });
   lay_grid(system, width);
   sort_into_cells(system);
   connect_nodes();
@@ -68,15 +70,10 @@ void GridPreconditioner<D>::lay_grid(const PoissonSystem& system, double width) 
       continue;
     }
     width_[a] = width;
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-#pragma omp parallel for schedule(static) reduction(min : low) reduction(max : high)
-    for (std::int32_t i = 0; i < n; ++i) {
-      low = std::min(low, system.x[a][static_cast<std::size_t>(i)]);
-      high = std::max(high, system.x[a][static_cast<std::size_t>(i)]);
-    }
-    middle_[a] = 0.5 * (low + high);
-    const double need = std::min(std::floor((high - low) / width), far);
+    const double* x = system.x[a].data();
+    const Extremes range = extremes_of(n, [&](std::int32_t i) { return x[i]; });
+    middle_[a] = 0.5 * (range.low + range.high);
+    const double need = std::min(std::floor((range.high - range.low) / width), far);
     extent[a] = halvable_cells<D>(static_cast<std::int64_t>(need) + 1);
   }
   const auto volume = [&] {
@@ -112,8 +109,7 @@ void GridPreconditioner<D>::sort_into_cells(const PoissonSystem& system) {
   cell_start_.assign(1, 0);
   coordinate_.resize(n);
   const auto count = static_cast<std::int32_t>(n);
-#pragma omp parallel for schedule(static)
-  for (std::int32_t k = 0; k < count; ++k) {
+  parallel_for(count, 1024, [&](std::int32_t k) {
     const auto i = static_cast<std::size_t>(k);
     for (std::size_t a = 0; a < D; ++a) {
       const std::int32_t extent = cells_.extent()[a];
@@ -125,7 +121,7 @@ void GridPreconditioner<D>::sort_into_cells(const PoissonSystem& system) {
       if (inside < 0.0) inside += extent;
       coordinate_[i][a] = static_cast<std::int32_t>(inside);
     }
-  }
+  });
   for (std::size_t i = 0; i < n; ++i) {
     const std::int32_t cell = cells_.add(coordinate_[i]);
     cell_of_[i] = cell;
@@ -202,8 +198,7 @@ template <int D>
 void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const Field& excess) {
   const auto cells = static_cast<std::int32_t>(cells_.points().size());
   element_.resize(cells_.points().size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t cell = 0; cell < cells; ++cell) {
+  parallel_for(cells, 256, [&](std::int32_t cell) {
     const auto at = static_cast<std::size_t>(cell);
     Element sum{};
     for (std::int32_t k = cell_start_[at]; k < cell_start_[at + 1]; ++k) {
@@ -230,7 +225,7 @@ void GridPreconditioner<D>::compute_elements(const PoissonSystem& system, const 
         element_[at][q * corners + p] = element_[at][p * corners + q] = sum[q * corners + p];
       }
     }
-  }
+  });
 }
 
 template <int D>
@@ -239,8 +234,7 @@ void GridPreconditioner<D>::assemble() {
   level.allocate();
   constexpr std::size_t stencil = GridLevel<D>::stencil;
   const std::int32_t n = level.size();
-#pragma omp parallel for schedule(static)
-  for (std::int32_t node = 0; node < n; ++node) {
+  parallel_for(n, 512, [&](std::int32_t node) {
     const auto at = static_cast<std::size_t>(node);
     for (std::size_t q = 0; q < corners; ++q) {
       if (node_cell_[at * corners + q] < 0) continue;
@@ -254,15 +248,14 @@ void GridPreconditioner<D>::assemble() {
         level.neighbour[at * stencil + s] = cell_node_[cell * corners + p];
       }
     }
-  }
+  });
 }
 
 template <int D>
 void GridPreconditioner<D>::restrict_to_grid(const Field& r) {
   const auto cells = static_cast<std::int32_t>(cells_.points().size());
   cell_rhs_.resize(cells_.points().size() * corners);
-#pragma omp parallel for schedule(static) if (cells > 1000)
-  for (std::int32_t cell = 0; cell < cells; ++cell) {
+  parallel_for(cells, 1000, [&](std::int32_t cell) {
     const auto at = static_cast<std::size_t>(cell);
     std::array<float, corners> sum{};
     for (std::int32_t k = cell_start_[at]; k < cell_start_[at + 1]; ++k) {
@@ -272,18 +265,17 @@ void GridPreconditioner<D>::restrict_to_grid(const Field& r) {
       for (std::size_t q = 0; q < corners; ++q) sum[q] += phi[q] * value;
     }
     std::copy(sum.begin(), sum.end(), &cell_rhs_[at * corners]);
-  }
+  });
   GridLevel<D>& level = grid_.finest();
   const std::int32_t n = level.size();
-#pragma omp parallel for schedule(static) if (n > 1000)
-  for (std::int32_t node = 0; node < n; ++node) {
+  parallel_for(n, 1000, [&](std::int32_t node) {
     float sum = 0.0F;
     for (std::size_t q = 0; q < corners; ++q) {
       const std::int32_t cell = node_cell_[static_cast<std::size_t>(node) * corners + q];
       if (cell >= 0) sum += cell_rhs_[static_cast<std::size_t>(cell) * corners + q];
     }
     level.rhs[static_cast<std::size_t>(node)] = sum;
-  }
+  });
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/linear/block_sum.hpp"
 
 namespace surge::linear {
@@ -9,11 +10,10 @@ namespace surge::linear {
 void multiply(const PoissonSystem& system, const Field& x, Field& y) {
   const auto n = static_cast<std::int32_t>(system.size());
   y.resize(system.size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i) {
+  parallel_for(n, 512, [&](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     y[at] = row_product(system, x, at);
-  }
+  });
 }
 
 void compute_excess(const PoissonSystem& system, Field& excess) {
@@ -21,8 +21,7 @@ void compute_excess(const PoissonSystem& system, Field& excess) {
   constexpr double rounding = 1e-11;
   const auto n = static_cast<std::int32_t>(system.size());
   excess.resize(system.size());
-#pragma omp parallel for schedule(static)
-  for (std::int32_t i = 0; i < n; ++i) {
+  parallel_for(n, 512, [&](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     double sum = system.diagonal[at];
     const auto end = static_cast<std::size_t>(system.row_start[at + 1]);
@@ -30,7 +29,7 @@ void compute_excess(const PoissonSystem& system, Field& excess) {
       sum += static_cast<double>(system.value[k]);
     }
     excess[at] = sum > rounding * system.diagonal[at] ? sum : 0.0;
-  }
+  });
 }
 
 double relative_residual(const PoissonSystem& system, const Field& p, BlockSum& block_sum) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/linear/closed_regions.hpp"
 #include "particle/linear/direct.hpp"
 #include "particle/linear/grid_pcg.hpp"
@@ -55,11 +56,13 @@ SolveReport run(GridPcg& method, const PoissonSystem& system, const Field& exces
 
 void check(const PoissonSystem& system) {
   const auto n = static_cast<std::ptrdiff_t>(system.size());
-  std::ptrdiff_t first = n;
-#pragma omp parallel for schedule(static) reduction(min : first)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (!std::isfinite(system.rhs[i]) || !std::isfinite(system.diagonal[i]))
-      first = std::min(first, i);
+  const std::ptrdiff_t first = parallel_reduce(
+      n, worth_sharing, n,
+      [&](std::ptrdiff_t i, std::ptrdiff_t& least) {
+        if (!std::isfinite(system.rhs[i]) || !std::isfinite(system.diagonal[i]))
+          least = std::min(least, i);
+      },
+      [](std::ptrdiff_t& all, std::ptrdiff_t own) { all = std::min(all, own); });
   if (first == n) return;
   throw Error("pressure: equation " + std::to_string(first) +
               " is not finite: particles coincide or flew off; a smaller step may help");

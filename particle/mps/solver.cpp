@@ -8,6 +8,7 @@
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
 #include "particle/core/move_fluid.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/wall_normals.hpp"
 #include "particle/mps/number_density.hpp"
 #include "particle/support/bounds.hpp"
@@ -199,14 +200,13 @@ void Solver<D>::list_neighbours(bool of_dry_walls) {
 /// were last listed that each is in the list of the other.
 template <int D>
 bool Solver<D>::lists_all_within(double reach) const {
-  double furthest2 = 0.0;
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
-#pragma omp parallel for schedule(static, stretch) reduction(max : furthest2)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  const auto look = [&](std::ptrdiff_t i, double& furthest2) {
     double square = 0.0;
     for (int a = 0; a < D; ++a) square += std::pow(s_.p.x[a][i] - s_.found_x[a][i], 2);
     furthest2 = std::max(furthest2, square);
-  }
+  };
+  const double furthest2 = parallel_reduce(n, worth_sharing, 0.0, look, larger);
   return reach + 2.0 * std::sqrt(furthest2) < model_.re_laplacian;
 }
 
@@ -287,18 +287,17 @@ template <int D>
 void Solver<D>::take_pressures(StepReport& report) {
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
   const bool clip = params_.negative_pressure == NegativePressure::clip;
-  long clipped = 0;
-#pragma omp parallel for schedule(static, stretch) reduction(+ : clipped)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (unknown_[i] < 0) continue;
+  const auto take = [&](std::ptrdiff_t i, long& clipped) {
+    if (unknown_[i] < 0) return;
     double p = unknown_pressure_[unknown_[i]];
     if (clip && p < 0.0) {
       p = 0.0;
       clipped += s_.p.type[i] == ParticleType::fluid ? 1 : 0;
     }
     s_.p.pressure[i] = p;
-  }
-  report.clipped = clipped;
+  };
+  report.clipped =
+      parallel_reduce(n, worth_sharing, 0L, take, [](long& all, long own) { all += own; });
 }
 
 template <int D>

@@ -1,5 +1,6 @@
 #include "particle/mps/viscosity.hpp"
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/resolve.hpp"
 #include "particle/mps/laplacian.hpp"
 
@@ -39,10 +40,9 @@ template <int D>
 void Viscosity<D>::extrapolate_to_walls(const View<D>& view) {
   const Particles<D>& p = view.p;
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
+  parallel_for(n, 256, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
-    if (view.is_fluid(i)) continue;
+    if (view.is_fluid(i)) return;
     Vec<D> sum{};
     double weights = 0.0;
     for (const std::uint32_t j : view.neighbours(i)) {
@@ -54,7 +54,7 @@ void Viscosity<D>::extrapolate_to_walls(const View<D>& view) {
     }
     for (int a = 0; a < D; ++a)
       shown_[a][i] = weights > 0.0 ? 2.0 * p.v[a][i] - sum[a] / weights : p.v[a][i];
-  }
+  });
 }
 
 template class Viscosity<2>;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "particle/core/parallel_for.hpp"
+
 namespace surge::sph {
 namespace {
 
@@ -44,10 +46,9 @@ void ClusterLists<D>::build(const CellGrid<D>& grid, const Particles<D>& p, doub
   find_rows(grid);
   if (rows_.size() < near_.size()) rows_.resize(near_.size());
   const auto rows = static_cast<std::ptrdiff_t>(near_.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::ptrdiff_t r = 0; r < rows; ++r)
-    fill(grid, p, radius, near_[r], rows_[r],
-         scratch_[static_cast<std::size_t>(omp_get_thread_num())]);
+  parallel_for_in_turn(rows, 1, [&](std::ptrdiff_t r, std::size_t thread) {
+    fill(grid, p, radius, near_[r], rows_[r], scratch_[thread]);
+  });
 }
 
 template <int D>

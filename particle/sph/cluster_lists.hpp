@@ -10,6 +10,7 @@
 
 #include "particle/core/cell_grid.hpp"
 #include "particle/core/neighbour_lanes.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/core/prefix_sums.hpp"
 #include "particle/core/simd.hpp"
@@ -70,11 +71,11 @@ class ClusterLists {
   template <class F>
   void for_each(Of kind, F&& f) const {
     const auto rows = static_cast<std::ptrdiff_t>(near_.size());
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t r = 0; r < rows; ++r)
+    parallel_for(rows, few_rows, [&](std::ptrdiff_t r) {
       for (const Cluster& cluster : rows_[r].clusters[static_cast<std::size_t>(kind)])
         for (std::uint32_t lane = 0; lane < cluster.count; ++lane)
           f(std::size_t{cluster.member[lane]});
+    });
   }
 
   /// Neighbours of one kind, seen as the periodic image that is `shift` away.
@@ -137,6 +138,8 @@ class ClusterLists {
   std::vector<Row> rows_;            ///< of them; more than there are now
   std::vector<Scratch> scratch_;     ///< by thread
   PrefixSums prefix_sums_;
+  /// Rows that are packed, or gone through once, faster than threads are woken.
+  static constexpr std::ptrdiff_t few_rows = 64;
   Field packed_;  ///< what neighbours show, particle by particle
 };
 
@@ -146,53 +149,49 @@ void ClusterLists<D>::sum(Of kind, const std::array<const double*, F>& sources,
                           const std::array<double*, A>& sums, Pair&& pair, Wanted&& wanted) {
   packed_.resize(J * (fluid_before_.size() - 1));
   const auto rows = static_cast<std::ptrdiff_t>(near_.size());
-#pragma omp parallel
-  {
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t r = 0; r < rows; ++r)
-      for (std::size_t i = rows_[r].begin; i < rows_[r].end; ++i)
-        for (int k = 0; k < J; ++k) packed_[J * i + static_cast<std::size_t>(k)] = sources[k][i];
-#pragma omp for schedule(dynamic, 1)
-    for (std::ptrdiff_t r = 0; r < rows; ++r) {
-      const Row& row = rows_[r];
-      for (const Cluster& cluster : row.clusters[static_cast<std::size_t>(kind)]) {
-        std::array<Simd, A> total{};
-        if (wanted(row, cluster)) {
-          std::array<Simd, F> i;
-          for (int k = 0; k < F; ++k)
-            i[k] = Simd([&](auto lane) { return sources[k][cluster.member[lane]]; });
-          for (std::uint32_t k = cluster.first_run; k < cluster.end_run; ++k) {
-            const Run& run = row.runs[k];
-            std::array<Simd, D> x;
-            for (int a = 0; a < D; ++a) x[a] = i[a] - Simd(run.shift[a]);
-            const auto meet = [&](auto is_fluid) SURGE_INLINE {
-              const std::uint32_t* const end = row.neighbours.data() + run.end;
-              for (const std::uint32_t* n = row.neighbours.data() + run.begin; n < end; ++n) {
-                const double* const of_j = packed_.data() + std::size_t{J} * *n;
-                std::array<Simd, J> j;
-                for (int f = 0; f < J; ++f) j[f] = of_j[f];
-                Offset<D> offset;
-                offset.r2 = tiny;
-                for (int a = 0; a < D; ++a) {
-                  offset.dx[a] = j[a] - x[a];
-                  offset.r2 += offset.dx[a] * offset.dx[a];
-                }
-                offset.r = root(offset.r2);
-                pair(offset, i, j, total, is_fluid);
+  parallel_for(rows, few_rows, [&](std::ptrdiff_t r) {
+    for (std::size_t i = rows_[r].begin; i < rows_[r].end; ++i)
+      for (int k = 0; k < J; ++k) packed_[J * i + static_cast<std::size_t>(k)] = sources[k][i];
+  });
+  parallel_for_in_turn(rows, 1, [&](std::ptrdiff_t r, std::size_t) {
+    const Row& row = rows_[r];
+    for (const Cluster& cluster : row.clusters[static_cast<std::size_t>(kind)]) {
+      std::array<Simd, A> total{};
+      if (wanted(row, cluster)) {
+        std::array<Simd, F> i;
+        for (int k = 0; k < F; ++k)
+          i[k] = Simd([&](auto lane) { return sources[k][cluster.member[lane]]; });
+        for (std::uint32_t k = cluster.first_run; k < cluster.end_run; ++k) {
+          const Run& run = row.runs[k];
+          std::array<Simd, D> x;
+          for (int a = 0; a < D; ++a) x[a] = i[a] - Simd(run.shift[a]);
+          const auto meet = [&](auto is_fluid) SURGE_INLINE {
+            const std::uint32_t* const end = row.neighbours.data() + run.end;
+            for (const std::uint32_t* n = row.neighbours.data() + run.begin; n < end; ++n) {
+              const double* const of_j = packed_.data() + std::size_t{J} * *n;
+              std::array<Simd, J> j;
+              for (int f = 0; f < J; ++f) j[f] = of_j[f];
+              Offset<D> offset;
+              offset.r2 = tiny;
+              for (int a = 0; a < D; ++a) {
+                offset.dx[a] = j[a] - x[a];
+                offset.r2 += offset.dx[a] * offset.dx[a];
               }
-            };
-            if (run.fluid)
-              meet(std::true_type{});
-            else
-              meet(std::false_type{});
-          }
+              offset.r = root(offset.r2);
+              pair(offset, i, j, total, is_fluid);
+            }
+          };
+          if (run.fluid)
+            meet(std::true_type{});
+          else
+            meet(std::false_type{});
         }
-        for (int a = 0; a < A; ++a)
-          for (std::uint32_t lane = 0; lane < cluster.count; ++lane)
-            sums[a][cluster.member[lane]] = total[a][lane];
       }
+      for (int a = 0; a < A; ++a)
+        for (std::uint32_t lane = 0; lane < cluster.count; ++lane)
+          sums[a][cluster.member[lane]] = total[a][lane];
     }
-  }
+  });
 }
 
 }  // namespace surge::sph

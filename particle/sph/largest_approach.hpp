@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "particle/core/extremes.hpp"
 #include "particle/core/particles.hpp"
 
 namespace surge::sph {
@@ -18,17 +19,9 @@ double largest_approach(const std::array<Field, D>& now, const std::array<Field,
   const auto n = static_cast<std::ptrdiff_t>(now[0].size());
   double square = 0.0;
   for (int a = 0; a < D; ++a) {
-    double least = std::numeric_limits<double>::max();
-    double most = std::numeric_limits<double>::lowest();
-    double odd = 0.0;  // not zero where a displacement is not finite
-#pragma omp parallel for schedule(static) reduction(min : least) reduction(max : most) reduction(+ : odd)
-    for (std::ptrdiff_t i = 0; i < n; ++i) {
-      const double moved = now[a][i] - then[a][i];
-      least = std::min(least, moved);
-      most = std::max(most, moved);
-      odd += moved - moved;
-    }
-    if (odd != 0.0) return std::numeric_limits<double>::infinity();
+    const auto [least, most, finite] =
+        extremes_of(n, [&](std::ptrdiff_t i) { return now[a][i] - then[a][i]; });
+    if (!finite) return std::numeric_limits<double>::infinity();
     square += (most - least) * (most - least);
   }
   return std::sqrt(square);

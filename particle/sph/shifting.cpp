@@ -1,5 +1,6 @@
 #include "particle/sph/shifting.hpp"
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/smallest_eigenvalue.hpp"
 #include "particle/kernel/quintic_spline.hpp"
 #include "particle/kernel/wendland_c2.hpp"
@@ -21,13 +22,12 @@ void Surroundings<D>::survey(const K& kernel, ClusterLists<D>& lists, const Part
   find_surface(kernel, lists, p, fluid_volume, found);
 
   const auto n = static_cast<std::ptrdiff_t>(size);
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
+  parallel_for_in_stretches(n, stretch, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
-    if (p.type[i] != ParticleType::fluid) continue;
+    if (p.type[i] != ParticleType::fluid) return;
     const Vec<D> shift = shift_of(i, speed_limit, found);
     for (int a = 0; a < D; ++a) found.shift[a][i] = shift[a];
-  }
+  });
 }
 
 template <int D>
@@ -62,11 +62,10 @@ void Surroundings<D>::sum_neighbours(const K& kernel, ClusterLists<D>& lists, co
                                      const Field& fluid_volume, Survey<D>& found) {
   const auto n = static_cast<std::ptrdiff_t>(p.size());
   const double wall_volume = std::pow(spacing_, D);
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
+  parallel_for_in_stretches(n, stretch, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
     volume_[i] = p.type[i] == ParticleType::fluid ? fluid_volume[i] : wall_volume;
-  }
+  });
   constexpr int to_moment = D;
   constexpr int to_wall = to_moment + entries;
   constexpr int to_deformation = to_wall + D;
@@ -116,13 +115,12 @@ void Surroundings<D>::sum_neighbours(const K& kernel, ClusterLists<D>& lists, co
   };
   lists.template sum<2 * D + 1, 2 * D + 1, to_weight + 2>(ClusterLists<D>::Of::fluid, fields, out,
                                                           pair);
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
+  parallel_for_in_stretches(n, stretch, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
     std::array<double, entries> of_i;
     for (int m = 0; m < entries; ++m) of_i[m] = moment_[m][i];
     found.lambda[i] = p.type[i] == ParticleType::fluid ? smallest_eigenvalue<D>(of_i) : 1.0;
-  }
+  });
 }
 
 /// Gradient of lambda over the fluid, and whether there is a surface within the kernel.
@@ -194,11 +192,10 @@ void Surroundings<D>::find_density_rate(const K& kernel, ClusterLists<D>& lists,
   };
   lists.template sum<2 * D + 2, 2 * D + 2, 1>(Lists::Of::fluid, fields, out, pair, wanted);
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-#pragma omp parallel for schedule(static, stretch)
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
+  parallel_for_in_stretches(n, stretch, [&](std::ptrdiff_t k) {
     const auto i = static_cast<std::size_t>(k);
     if (p.type[i] != ParticleType::fluid || found.near_surface(i)) found.density_rate[i] = 0.0;
-  }
+  });
 }
 
 template class Surroundings<2>;

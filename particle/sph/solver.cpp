@@ -5,6 +5,8 @@
 
 #include "particle/core/fastest_speed.hpp"
 #include "particle/core/initial_particles.hpp"
+#include "particle/core/move_fluid.hpp"
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/time_step.hpp"
 #include "particle/sph/largest_approach.hpp"
 #include "particle/sph/momentum.hpp"
@@ -140,9 +142,9 @@ void Solver<D>::sort_particles() {
   if (params_.wall_density != WallDensity::extrapolated) return;
   // What water has left shows nothing of it any more.
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     if (s_.p.type[i] != ParticleType::fluid) s_.p.density[i] = model_.rho0;
+  });
 }
 
 template <int D>
@@ -218,20 +220,19 @@ void Solver<D>::apply_continuity(double dt) {
       damping ? waves_.damper_share(params_.density_diffusion, params_.acoustic_damping,
                                     disorder * dt * (model_.c0 + s_.v_max) / model_.h)
               : 0.0;
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (!walls_too && !is_fluid(static_cast<std::size_t>(i))) continue;
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
+    if (!walls_too && !is_fluid(static_cast<std::size_t>(i))) return;
     s_.p.density[i] += dt * density_rate_[i];
     if (damping) s_.compression_rate[i] += share * (density_rate_[i] - s_.compression_rate[i]);
-  }
+  });
 }
 
 template <int D>
 void Solver<D>::update_fluid_volume() {
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     fluid_volume_[i] = s_.p.type[i] == ParticleType::fluid ? model_.mass / s_.p.density[i] : 0.0;
+  });
 }
 
 template <int D>
@@ -257,11 +258,8 @@ void Solver<D>::drift(double dt, StepReport& report) {
   Particles<D>& p = s_.p;
   walls_.move_walls(s_.time, s_.time + dt);
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-  long collisions = 0;
-  long lost = 0;
-#pragma omp parallel for schedule(static) reduction(+ : collisions, lost)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (p.type[i] != ParticleType::fluid) continue;
+  const auto move = [&](std::ptrdiff_t i, MetWalls& met) {
+    if (p.type[i] != ParticleType::fluid) return;
     Vec<D> start;
     Vec<D> end;
     Vec<D> v;
@@ -272,14 +270,15 @@ void Solver<D>::drift(double dt, StepReport& report) {
       if (shifting_) end[a] += dt * s_.survey.shift[a][i];
     }
     if (walls_.apply(start, end, v)) {
-      ++collisions;
+      ++met.collisions;
       for (int a = 0; a < D; ++a) p.v[a][i] = v[a];
     }
     for (int a = 0; a < D; ++a) p.x[a][i] = end[a];
-    if (walls_.is_lost(end)) ++lost;
-  }
-  report.wall_collisions = collisions;
-  report.lost = lost;
+    if (walls_.is_lost(end)) ++met.lost;
+  };
+  const MetWalls met = parallel_reduce(n, 1024, MetWalls{}, move, MetWalls::join);
+  report.wall_collisions = met.collisions;
+  report.lost = met.lost;
 }
 
 template <int D>
@@ -292,14 +291,14 @@ void Solver<D>::apply_equation_of_state(double time, StepReport& report) {
                                  wall_acceleration_, s_.p.pressure, s_.p.density);
   }
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     p_over_rho2_[i] = s_.p.pressure[i] / (s_.p.density[i] * s_.p.density[i]);
+  });
   if (!difference_) return;
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  parallel_for(n, worth_sharing, [&](std::ptrdiff_t i) {
     own_p_over_rho2_[i] =
         without_tension(p_over_rho2_[i], s_.survey.near_surface(static_cast<std::size_t>(i)));
+  });
 }
 
 template <int D>
@@ -307,9 +306,7 @@ void Solver<D>::set_pressures(StepReport& report) {
   const auto n = static_cast<std::ptrdiff_t>(s_.p.size());
   const bool clip = params_.negative_pressure == NegativePressure::clip;
   const double damping = model_.damping;
-  long clipped = 0;
-#pragma omp parallel for schedule(static) reduction(+ : clipped)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
+  const auto set = [&](std::ptrdiff_t i, long& clipped) {
     const auto k = static_cast<std::size_t>(i);
     double p = model_.state.pressure(s_.p.density[i]);
     if (damping > 0.0) p += acoustic_damper(damping, s_.compression_rate[i]);
@@ -320,8 +317,8 @@ void Solver<D>::set_pressures(StepReport& report) {
       clipped += s_.p.type[i] == ParticleType::fluid ? 1 : 0;
     }
     s_.p.pressure[i] = p;
-  }
-  report.clipped = clipped;
+  };
+  report.clipped = parallel_reduce(n, 1024, 0L, set, [](long& all, long own) { all += own; });
 }
 
 template <int D>

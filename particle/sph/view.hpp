@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particle/core/parallel_for.hpp"
 #include "particle/core/particles.hpp"
 #include "particle/sph/cluster_lists.hpp"
 #include "particle/sph/model.hpp"
@@ -19,9 +20,9 @@ struct View {
 template <int D, class F>
 void for_each_fluid(const Particles<D>& p, F&& f) {
   const auto n = static_cast<std::ptrdiff_t>(p.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
+  parallel_for(n, 1024, [&](std::ptrdiff_t i) {
     if (p.type[i] == ParticleType::fluid) f(static_cast<std::size_t>(i));
+  });
 }
 
 }  // namespace surge::sph

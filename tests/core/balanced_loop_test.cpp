@@ -7,20 +7,10 @@
 #include <thread>
 #include <vector>
 
+#include "tests/core/threads.hpp"
+
 namespace surge {
 namespace {
-
-/// Restores the number of threads.
-class Threads {
- public:
-  explicit Threads(int n) : before_(omp_get_max_threads()) { omp_set_num_threads(n); }
-  ~Threads() { omp_set_num_threads(before_); }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-};
 
 TEST(BalancedLoop, DoesEveryIndexOnce) {
   BalancedLoop loop;
