@@ -88,6 +88,7 @@ void make_case(const Arguments& arguments) {
   std::vector<std::string> words{program.string(), "plot", arguments.plotted};
   words.insert(words.end(), arguments.plot_options.begin(), arguments.plot_options.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(program.c_str(), pointers.data());

@@ -62,11 +62,11 @@ template <int D, class F>
 void for_each_in_surface(const Case& c, std::size_t number, int layers, F&& f) {
   const Obstacle& obstacle = c.obstacles[number];
   const SurfaceLattice lattice(c, obstacle);
+  constexpr int most = std::numeric_limits<int>::max() / 2;
   std::array<int, D> count;
   for (std::size_t a = 0; a < D; ++a)
-    count[a] =
-        static_cast<int>(whole_number(lattice.end[a] - lattice.first[a], "resolution.spacing",
-                                      std::numeric_limits<int>::max() / 2));
+    count[a] = static_cast<int>(
+        whole_number(lattice.end[a] - lattice.first[a], "resolution.spacing", most));
   for_each_cell<D>({}, count, [&](const std::array<int, D>& k) {
     Point x{};
     for (std::size_t a = 0; a < D; ++a)

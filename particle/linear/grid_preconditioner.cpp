@@ -113,11 +113,12 @@ void GridPreconditioner<D>::sort_into_cells(const PoissonSystem& system) {
     const auto i = static_cast<std::size_t>(k);
     for (std::size_t a = 0; a < D; ++a) {
       const std::int32_t extent = cells_.extent()[a];
+      const std::int32_t half = extent / 2;
       const double x = (system.x[a][i] - middle_[a]) / width_[a];
       double cell = std::floor(x);
       if (!cells_.wrapped()[a]) cell = std::clamp(cell, -0.5 * extent, 0.5 * extent - 1.0);
       place_[i][a] = static_cast<float>(x - cell);
-      double inside = std::fmod(cell + extent / 2, extent);
+      double inside = std::fmod(cell + half, extent);
       if (inside < 0.0) inside += extent;
       coordinate_[i][a] = static_cast<std::int32_t>(inside);
     }
