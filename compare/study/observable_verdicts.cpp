@@ -201,11 +201,10 @@ class Comparer {
     return usual_tolerance * range * (measure == CurveMeasure::impulse ? in.end - in.begin : 1.0);
   }
 
-  [[nodiscard]] std::string missing(const Uncertainties& parts, const CurveComparison& in) const {
-    const std::string levels = " at two more resolutions is not there, so that its u is unknown";
+  [[nodiscard]] std::string missing(const Uncertainties& parts) const {
     if (run_.status != RunStatus::complete) return run_.study.name + " is not complete";
-    if (!parts.reference) return in.against + levels;
-    if (!parts.run) return run_.study.name + levels;
+    if (!parts.reference) return why_no_uncertainty(study_, study_.reference());
+    if (!parts.run) return why_no_uncertainty(study_, run_);
     return "";
   }
 
@@ -249,7 +248,7 @@ class Comparer {
     verdict.parts = parts;
     verdict.settle(series != nullptr && series->kind == ReferenceKind::computation
                        ? "a computation that states no uncertainty"
-                       : missing(parts, in));
+                       : missing(parts));
     out.verdict = verdict;
     return out;
   }

@@ -189,7 +189,7 @@ void add_compared_runs(const StudyResult& study, Sequence& sequence) {
         sequence.levels.begin(), sequence.levels.end(), [&](const SequenceLevel& level) {
           return !differ(spacing(level), run->measured->run.spacing.value());
         });
-    if (!known && run->study.threads == 1) sequence.levels.push_back({run, 0.0});
+    if (!known) sequence.levels.push_back({run, 0.0});
   }
 }
 

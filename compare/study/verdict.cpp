@@ -7,8 +7,8 @@
 #include "compare/study/convergence.hpp"
 #include "compare/study/quantities.hpp"
 #include "compare/study/sequences.hpp"
+#include "particle/support/bounds.hpp"
 #include "particle/support/error.hpp"
-#include "particle/support/json.hpp"
 
 namespace surge::compare {
 
@@ -98,10 +98,9 @@ std::optional<double> impact_uncertainty(const StudyResult& study, const RunResu
 
 std::string what_is_missing(const StudyResult& study, const RunResult& run,
                             const Uncertainties& parts) {
-  const std::string levels = " at two more resolutions is not there, so that its u is unknown";
   if (run.status != RunStatus::complete) return run.study.name + " is not complete";
-  if (!parts.reference) return study.study.reference + levels;
-  if (!parts.run) return run.study.name + levels;
+  if (!parts.reference) return why_no_uncertainty(study, study.reference());
+  if (!parts.run) return why_no_uncertainty(study, run);
   return "";
 }
 
@@ -235,6 +234,18 @@ std::vector<const RunResult*> refinements_of(const StudyResult& study, const Run
     }
   }
   return found;
+}
+
+std::string why_no_uncertainty(const StudyResult& study, const RunResult& run) {
+  std::vector<Level> levels;
+  for (const RunResult* level : refinements_of(study, run))
+    levels.push_back({level->measured->run.spacing.value(), 0.0});
+  const std::string unknown = ", so that its u is unknown";
+  if (levels.size() < 3) return run.study.name + " at two more resolutions is not there" + unknown;
+  if (!systematic_levels(levels))
+    return "three resolutions of " + run.study.name + " that differ by factors of " +
+           number_text(smallest_ratio) + " or more are not there" + unknown;
+  return "not every resolution of " + run.study.name + " has this" + unknown;
 }
 
 std::optional<double> front_uncertainty(const StudyResult& study, const RunResult& run) {

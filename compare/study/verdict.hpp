@@ -72,6 +72,9 @@ struct LevelValue {
 [[nodiscard]] std::vector<const RunResult*> refinements_of(const StudyResult& study,
                                                            const RunResult& run);
 
+/// Why a number of a run has no numerical uncertainty.
+[[nodiscard]] std::string why_no_uncertainty(const StudyResult& study, const RunResult& run);
+
 /// Standard uncertainty of a run's leading edge, in Z/L: root of the mean square, over
 /// eight moments of the window in which it is compared with the reference, of what its refinements
 /// say. Empty where they do not say it at all moments that the run's front knows.

@@ -45,9 +45,10 @@ class SyntheticStudy {
   /// Two coarser levels of a run with the same front, so that refining it says that it is exact.
   /// `settings`: what its table says in `set`.
   void refine(const std::string& name, const std::string& method, double lead,
-              const std::string& settings = "") const {
+              const std::string& settings = "",
+              const std::vector<double>& spacings = {0.0145, 0.029}) const {
     std::ofstream study(this->study(), std::ios::app);
-    for (const double spacing : {0.0145, 0.029}) {
+    for (const double spacing : spacings) {
       const std::string level = name + "-at-" + std::to_string(spacing);
       nlohmann::json manifest = dam_break_manifest();
       manifest["case"]["method"]["name"] = method;

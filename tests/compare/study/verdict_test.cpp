@@ -104,9 +104,22 @@ TEST(Verdict, WithoutRefinementSaysWhatIsMissing) {
   EXPECT_THAT(mps->why, HasSubstr("mps-a at two more resolutions is not there"));
 }
 
-TEST(Verdict, ARunOfTheComparisonIsALevelOfItsSequence) {
+TEST(Verdict, OfLevelsThatLieTooNearSaysSo) {
+  const SyntheticStudy files;
+  files.refine("vof-20", "vof", 0.0);
+  files.refine("mps-a", "mps", 0.0, "", {0.016, 0.017});
+  const std::vector<Verdict> all = find_verdicts(files.collected());
+  const Verdict* mps = find(all, "mps-a", "leading_edge", "vof-20");
+  EXPECT_EQ(mps->outcome, Outcome::undecided);
+  EXPECT_THAT(mps->why, HasSubstr("three resolutions of mps-a that differ by factors of 1.5"));
+}
+
+TEST(Verdict, ARunOfTheComparisonIsALevelOfItsSequenceWhateverItsThreads) {
   const SyntheticStudy files;
   files.refine("mps-a", "mps", 0.02 * SyntheticStudy::length);
+  std::string text = read_text(files.study());
+  text.replace(text.find("threads = 1"), 11, "threads = 2");
+  write_text(files.study(), text);
   const StudyResult study = files.collected();
   const std::vector<Sequence> sequences = sequences_of(study);
   ASSERT_EQ(sequences.size(), 1U);
