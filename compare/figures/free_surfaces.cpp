@@ -123,7 +123,8 @@ Figure surface_figure(const StudyResult& study) {
     if (k % columns == 0) heights.push_back(0.0);
     heights.back() = std::max(heights.back(), std::clamp(panels[k].height * scale, 8.0, tallest));
   }
-  figure.height_mm = top_mm + foot + 2.0 + line * std::ceil(double(runs.size()) / 2.0);
+  const std::size_t key_rows = (runs.size() + 1) / 2;
+  figure.height_mm = top_mm + foot + 2.0 + line * double(key_rows);
   for (const double height : heights) figure.height_mm += height + row_gap;
   const auto x = [](double mm) { return fixed_text(mm / double_column_mm, 5); };
   const auto y = [&](double mm) { return fixed_text(1.0 - mm / figure.height_mm, 5); };
@@ -168,9 +169,9 @@ Figure surface_figure(const StudyResult& study) {
   figure.script +=
       "unset object\nunset label\nunset border\nunset tics\nunset xlabel\nunset ylabel\n"
       "set lmargin at screen 0\nset rmargin at screen 1\nset key at screen " +
-      x(left_mm) + "," + y(above + foot - row_gap + 3.0) +
-      " left top vertical maxcols 2 Left reverse\nset xrange [0:1]\nset yrange [0:1]\nplot 1/0 "
-      "notitle";
+      x(left_mm) + "," + y(above + foot - row_gap + 3.0) + " left top vertical maxrows " +
+      std::to_string(key_rows) +
+      " Left reverse\nset xrange [0:1]\nset yrange [0:1]\nplot 1/0 notitle";
   for (std::size_t k = 0; k < runs.size(); ++k)
     figure.script +=
         std::string(", \\\n     ") + std::string("keyentry with lines lw 1.3 lc rgb \"") +

@@ -118,6 +118,8 @@ TEST(Figures, SurfacesOfAllRunsStandInOnePanelPerTime) {
   for (const auto& row : table.rows)
     seen.emplace(std::get<std::string>(row[0]), std::get<double>(row[1]));
   EXPECT_EQ(seen.size(), study.runs.size() * study.study.snapshot_times.size());
+  // The legend of three has the two rows that there is room for; by itself it takes one column.
+  EXPECT_THAT(figure.script, HasSubstr("maxrows 2"));
   EXPECT_EQ(draw(figure, files.out()), "");
 }
 

@@ -81,6 +81,9 @@ class Reading(Page):
                                " t.getBoundingClientRect().height / t.rows.length])")
         for caption, height in high:
             self.assertLess(height, 420, caption)  # of a row
+        # Nothing of the answer lies beyond the edge.
+        beyond = self.browser.js("(() => { const t = document.querySelector('.rows'); return t.scrollWidth - t.clientWidth; })()")
+        self.assertLessEqual(beyond, 1)
 
     def test_texts_have_contrast_in_light_and_dark(self):
         for scheme in ("light", "dark"):
