@@ -173,11 +173,10 @@ def keep(found: Estimate, runs: list[Run], cores: int) -> None:
 
 
 def most_urgent_last(runs: list[Run]) -> list[Run]:
-    """The one to start first comes last: the shortest first, the longest after it. A run of several threads, or one
-    that is timed and gets the machine, comes last of all: it waits until so many cores are free at
-    once, which they are at the beginning. So the last to be started are short, and no core is
-    without work for long. What keep() left is the measure; of what it does not know, nothing is
-    assumed to be short."""
+    """The runs from the one to start last to the one to start first. Those that need several cores at
+    once start first, while all are free; then the longest, so that what is left at the end is short
+    and no core is without work for long. keep() left how long they take; a run that it does not
+    know is taken for the longest."""
     try:
         plan = json.loads(FILE.read_text(encoding="utf-8"))
         seconds = {run["name"]: run["seconds"] for run in plan["runs"]}

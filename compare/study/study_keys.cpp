@@ -36,7 +36,8 @@ constexpr std::array known_keys{
              "comparison | timing | sensitivity | convergence | verification; comparison",
              "what it is made for"},
     StudyKey{"[[run]]", "group", "text",
-             "choice, sequence or flow of the last three roles, which must have one"},
+             "choice, sequence or flow of the last three roles, which must have one; of a "
+             "comparison the sequence whose levels give its uncertainty"},
     StudyKey{"[[run]]", "allow", "list; none", "what of a level's physics may be another"},
     StudyKey{"[[run]]", "sweep", "table of lists, or a list of them; none",
              "many runs by one table, {key} in name, case, set, group"},
