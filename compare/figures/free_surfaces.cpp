@@ -76,18 +76,16 @@ std::string box(const Rectangle& r, const char* colour) {
          "\" fs solid 1 border lc rgb \"#303030\" lw 0.6\n";
 }
 
-std::string plots_of(const SurfacePanel& panel) {
+std::string plots_of(const SurfacePanel& panel, const Table& table) {
   std::string plots;
   for (const Line& one : panel.lines) {
     if (one.surface.empty()) continue;
     const double width =
         one.style.dash == "solid" && one.style.colour.red == 0 && one.style.colour.blue == 0 ? 0.8
                                                                                              : 1.1;
-    plots += (plots.empty() ? "plot " : ", \\\n     ") + std::string("\"surfaces.csv\" using (") +
-             "strcol(1) eq " + plot_string(one.run->study.name) + " && abs(column(2) - " +
-             plot_number(panel.time.value()) +
-             ") < 1e-9 ? column(3) : NaN):4:(column(5)-column(3)):(column(6)-column(4)) "
-             "with vectors nohead lw " +
+    plots += (plots.empty() ? "plot " : ", \\\n     ") +
+             plotted_rows(table, {one.run->study.name, panel.time.value()}) +
+             " using 3:4:(column(5)-column(3)):(column(6)-column(4)) with vectors nohead lw " +
              fixed_text(width, 1) + " lc rgb \"" + one.style.colour.hex() + "\" notitle";
   }
   return plots.empty() ? "plot 1/0 notitle\n" : plots + "\n";
@@ -155,14 +153,14 @@ Figure surface_figure(const StudyResult& study) {
           outline_object(outline, "fc rgb \"#8a8a8a\" fs solid 1 border lc rgb \"#303030\" lw 0.6");
     for (const Solids::MovingWall& wall : solids.walls)
       figure.script += box(wall.at(panel.time), "#e69f00");
-    figure.script +=
-        "set label 1 \"{/:Italic t} = " + fixed_text(panel.time.value(), 2) +
-        " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(panel.time).value(), 2) +
-        "\" at graph 0,1 left offset 0,character 0.6\n" + plots_of(panel);
     for (const Line& one : panel.lines)
       for (const Segment& s : one.surface)
         table.add({one.run->study.name, panel.time.value(), tidy(s.x0), tidy(s.y0), tidy(s.x1),
                    tidy(s.y1)});
+    figure.script +=
+        "set label 1 \"{/:Italic t} = " + fixed_text(panel.time.value(), 2) +
+        " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(panel.time).value(), 2) +
+        "\" at graph 0,1 left offset 0,character 0.6\n" + plots_of(panel, table);
     if (column + 1 == columns || k + 1 == panels.size()) above += height + row_gap;
   }
   // The legend, below all panels.

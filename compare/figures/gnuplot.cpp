@@ -96,6 +96,17 @@ std::vector<std::string> draw_all(std::span<const Figure> figures, const fs::pat
   return said;
 }
 
+std::string plotted_rows(const Table& table, const std::vector<Table::Cell>& key) {
+  const auto begins_so = [&](const std::vector<Table::Cell>& row) {
+    return row.size() >= key.size() && std::equal(key.begin(), key.end(), row.begin());
+  };
+  const auto first = std::find_if(table.rows.begin(), table.rows.end(), begins_so);
+  if (first == table.rows.end()) return "";
+  const auto end = std::find_if_not(first, table.rows.end(), begins_so);
+  return '"' + table.name + ".csv\" every ::" + std::to_string(first - table.rows.begin()) +
+         "::" + std::to_string(end - table.rows.begin() - 1);
+}
+
 // gnuplot runs what stands between backquotes, in double quotes too; the octal code is a backquote
 // that runs nothing. Other control characters than line breaks have no place in a label.
 std::string plot_string(const std::string& text) {

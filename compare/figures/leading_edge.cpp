@@ -36,11 +36,10 @@ std::vector<FrontCurve> curves_of(const StudyResult& study) {
   return curves;
 }
 
-/// `"file.csv" using x:y` of the rows of one series.
-std::string filtered(const std::string& file, const std::string& key, const std::string& x,
-                     const std::string& y) {
-  return "\"" + file + ".csv\" using (strcol(1) eq " + plot_string(key) + " ? column(\"" + x +
-         "\") : NaN):(column(\"" + y + "\"))";
+/// `"file.csv" using x:y` of the rows of one series; NaN where it has none.
+std::string filtered(const Table& table, const std::string& key, const std::string& columns) {
+  const std::string rows = plotted_rows(table, {key});
+  return rows.empty() ? "NaN" : rows + " using " + columns;
 }
 
 /// Shift in time per published series; none where it is shown as measured.
@@ -156,14 +155,14 @@ Table band_table(const std::string& name, const StudyResult& study) {
 constexpr const char* band_style = "fs transparent solid 0.25 noborder fc rgb \"#707070\"";
 
 /// The reference with its band and the published series first, so that the runs lie over them.
-std::string plots_of(const std::string& file, const StudyResult& study,
+std::string plots_of(const Table& fronts, const StudyResult& study,
                      const std::vector<FrontCurve>& curves, const std::vector<double>& shifts) {
   std::vector<std::string> plots;
   if (front_uncertainty(study, study.reference()))
-    plots.push_back("\"" + file + "_band.csv\" using 1:2:3 with filledcurves " + band_style +
+    plots.push_back("\"" + fronts.name + "_band.csv\" using 1:2:3 with filledcurves " + band_style +
                     " title \"95 % interval of the reference\"");
   const auto add_curve = [&](const FrontCurve& curve, double width) {
-    plots.push_back(filtered(file, curve.key(), "T", "Z_over_L") + " with lines " +
+    plots.push_back(filtered(fronts, curve.key(), "4:5") + " with lines " +
                     line_spec(curve.style, width) + " title " + plot_string(curve.label));
   };
   for (const auto& curve : curves)
@@ -172,8 +171,7 @@ std::string plots_of(const std::string& file, const StudyResult& study,
     const PublishedSeries& series = study.published[i];
     const bool bars = series.position_uncertainty.value() > 0.0;
     plots.push_back(
-        filtered(file, series.name, "T", "Z_over_L") +
-        (bars ? ":(column(\"dT\")):(column(\"dZ\")) with xyerrorbars " : " with points ") +
+        filtered(fronts, series.name, bars ? "4:5:6:7 with xyerrorbars " : "4:5 with points ") +
         point_spec(published_style(i), 0.45) + " title " +
         plot_string(series_label(series, shifts[i])));
   }
@@ -182,7 +180,7 @@ std::string plots_of(const std::string& file, const StudyResult& study,
   return one_plot(plots);
 }
 
-std::string upper_panel(const std::string& file, const StudyResult& study,
+std::string upper_panel(const Table& fronts, const StudyResult& study,
                         const std::vector<FrontCurve>& curves, const std::vector<double>& shifts) {
   const Axes axes = axes_of(study);
   std::string script = "set xrange [0:" + fixed_text(axes.t_end, 2) +
@@ -195,7 +193,7 @@ std::string upper_panel(const std::string& file, const StudyResult& study,
               "textcolor rgb \"#606060\"\n";
   }
   return script + "set format x \"\"\nset ylabel \"{/:Italic Z}/{/:Italic L}\" offset 1.2\n" +
-         plots_of(file, study, curves, shifts) + "unset label 1\n";
+         plots_of(fronts, study, curves, shifts) + "unset label 1\n";
 }
 
 /// 1, 2 or 5 times a power of ten, of which two to four make up `limit`.
@@ -234,7 +232,7 @@ std::string difference_panel(const Table& differences, const StudyResult& study,
             "\nset key off\nset ylabel \"Δ{/:Italic Z}/{/:Italic L}\" offset 1.2\n";
   std::vector<std::string> plots{"0 " + line_spec(reference_style(), reference_width)};
   for (const auto& curve : curves)
-    plots.push_back(filtered(differences.name, curve.key(), "T", "dZ_over_L") + " with lines " +
+    plots.push_back(filtered(differences, curve.key(), "2:3") + " with lines " +
                     line_spec(curve.style, run_width));
   return script + one_plot(plots);
 }
@@ -266,7 +264,7 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
   figure.name = name;
   figure.tables.push_back(front_table(name, study, curves, shifts));
   figure.tables.push_back(difference_table(name + "_difference", study, curves));
-  const Table differences = figure.tables.back();
+  const Table fronts = figure.tables.front(), differences = figure.tables.back();
   Table band = band_table(name, study);
   const bool has_band = !band.rows.empty();
   if (has_band) figure.tables.push_back(std::move(band));
@@ -288,7 +286,7 @@ Figure make(const StudyResult& study, const std::string& name, bool shifted) {
       "set multiplot\nset lmargin at screen 0.175\nset rmargin at screen 0.97\n"
       "set key at screen 0.05," +
       legend + " left top vertical maxcols 1 Left reverse\n" +
-      panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(name, study, curves, shifts) +
+      panel_margins(2.0, 56.0, figure.height_mm) + upper_panel(fronts, study, curves, shifts) +
       panel_margins(59.0, 84.0, figure.height_mm) +
       difference_panel(differences, study, others, near_limit, far.empty());
   if (!far.empty())

@@ -99,8 +99,7 @@ class ObservableDrawing {
 
  private:
   [[nodiscard]] std::string rows(const std::string& curve, const std::string& columns) const {
-    return "\"" + figure_.name + ".csv\" using (strcol(1) eq " + plot_string(curve) +
-           " ? column(2) : NaN):" + columns;
+    return plotted_rows(table_, {curve}) + " using 2:" + columns;
   }
   void line(const std::string& plot) { lines_.push_back(plot); }
 

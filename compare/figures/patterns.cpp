@@ -85,11 +85,6 @@ LineStyle style_of(const StudyResult& study, const RunResult& run) {
   return reference_style();
 }
 
-std::string rows_of(const RunResult& run, const char* table = "patterns") {
-  return '"' + std::string(table) + ".csv\" using (strcol(1) eq " + plot_string(run.study.name) +
-         " ? column(3) : NaN)";
-}
-
 /// Joins what is drawn in one panel.
 class Panel {
  public:
@@ -113,7 +108,7 @@ std::string overlap_panel(const StudyResult& study, const Overlaps& overlaps) {
       panel.add("keyentry with lines " + line + " title " +
                 plot_string(run->label() + ": no time in common"));
     } else {
-      panel.add(rows_of(*run, "overlap") + ":4 with " +
+      panel.add(plotted_rows(overlaps.table, {run->study.name}) + " using 3:4 with " +
                 (count < few ? "linespoints pt 7 ps 0.25 " : "lines ") + line + " title " +
                 plot_string(run->label()));
     }
@@ -124,17 +119,19 @@ std::string overlap_panel(const StudyResult& study, const Overlaps& overlaps) {
 }
 
 /// A curve per run with a band between two columns.
-std::string panel_of(const StudyResult& study, int column, int least, int most, double scale) {
+std::string panel_of(const StudyResult& study, const Table& table, int column, int least, int most,
+                     double scale) {
   const auto value = [&](int c) {
     return "($" + std::to_string(c) + "*" + plot_number(scale) + ")";
   };
   Panel panel;
   for (const RunResult* run : study.measured())
-    panel.add(rows_of(*run) + ":" + value(least) + ":" + value(most) +
-              " with filledcurves fs transparent solid 0.22 noborder fc rgb \"" +
+    panel.add(plotted_rows(table, {run->study.name}) + " using 3:" + value(least) + ":" +
+              value(most) + " with filledcurves fs transparent solid 0.22 noborder fc rgb \"" +
               style_of(study, *run).colour.hex() + "\" notitle");
   for (const RunResult* run : study.measured())
-    panel.add(rows_of(*run) + ":" + value(column) + " with lines " +
+    panel.add(plotted_rows(table, {run->study.name}) + " using 3:" + value(column) +
+              " with lines " +
               line_spec(style_of(study, *run), run == &study.reference() ? 1.4 : 1.2) + " notitle");
   return panel.text();
 }
@@ -202,11 +199,11 @@ Figure pattern_figure(const StudyResult& study) {
   place(0.675, 0.41, false);
   script << "set ylabel \"detached water, %\"\nset yrange [0:"
          << plot_number(std::ceil(150.0 * largest(rows, 4, 0.01))) << "]\nunset key\n"
-         << panel_of(study, 5, 6, 7, 100.0);
+         << panel_of(study, rows, 5, 6, 7, 100.0);
   place(0.37, 0.105, true);
   script << "set ylabel \"pieces\"\nset yrange [0:" << plot_number(1.05 * largest(rows, 9, 1.0))
          << "]\n"
-         << panel_of(study, 8, 9, 10, 1.0) << "unset multiplot\n";
+         << panel_of(study, rows, 8, 9, 10, 1.0) << "unset multiplot\n";
   figure.script = script.str();
   figure.tables.push_back(std::move(overlaps.table));
   return figure;

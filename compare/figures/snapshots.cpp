@@ -86,7 +86,8 @@ std::string panel_label(const SnapshotPanel& panel, const Row& row) {
 }
 
 /// Plot command of one panel; the picture lies under the line of the free surface.
-std::string panel_plot(const SnapshotPanel& panel, const std::string& image, double pixel) {
+std::string panel_plot(const SnapshotPanel& panel, const Table& surface, const std::string& image,
+                       double pixel) {
   if (!panel.missing.empty()) {
     return "set label 3 " + plot_label(panel.missing) +
            " at graph 0.5,0.5 center textcolor rgb \"#606060\"\nplot 1/0 notitle\n";
@@ -96,10 +97,8 @@ std::string panel_plot(const SnapshotPanel& panel, const std::string& image, dou
                      ") dx=" + plot_number(pixel) + " dy=" + plot_number(pixel) +
                      " with rgbalpha notitle";
   if (!panel.water.surface.empty()) {
-    plot += ", \\\n     \"fig7_surface.csv\" using (strcol(1) eq " +
-            plot_string(panel.run->study.name) + " && abs(column(2) - " +
-            plot_number(panel.time.value()) +
-            ") < 1e-9 ? column(3) : NaN):4:(column(5)-column(3)):(column(6)-column(4)) "
+    plot += ", \\\n     " + plotted_rows(surface, {panel.run->study.name, panel.time.value()}) +
+            " using 3:4:(column(5)-column(3)):(column(6)-column(4)) "
             "with vectors nohead lw 0.9 lc rgb \"#d55e00\" notitle";
   }
   return plot + "\n";
@@ -193,8 +192,8 @@ std::string axes(bool first_column, bool last_row) {
 }
 
 /// Script of one row whose panels begin `top` mm below the figure's upper edge.
-std::string row_script(const std::vector<Row>& rows, std::size_t r, const SnapshotLayout& layout,
-                       const Scales& scales, double top) {
+std::string row_script(const std::vector<Row>& rows, std::size_t r, const Table& surface,
+                       const SnapshotLayout& layout, const Scales& scales, double top) {
   const Row& row = rows[r];
   const double bottom = top + row.height * layout.scale();
   std::string script = "set xrange [0:" + plot_number(layout.x_span) +
@@ -211,7 +210,7 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Snapsh
                 " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
     }
     script += solid_objects(panel.solids, panel.time) + panel_label(panel, row) +
-              panel_plot(panel, image_name(r, c), 1.0 / layout.pixels()) +
+              panel_plot(panel, surface, image_name(r, c), 1.0 / layout.pixels()) +
               "unset label\nunset object\n";
   }
   return script;
@@ -264,14 +263,14 @@ Figure snapshot_figure(const StudyResult& study) {
   figure.script =
       "set multiplot\nset border 11 lw 0.8 lc rgb \"#404040\"\nunset grid\n"
       "unset key\nset xtics 1\nset ytics 1\n";
+  add_pictures(rows, layout, figure);
   double top = layout.top;
   for (std::size_t r = 0; r < rows.size(); ++r) {
     top += layout.row_gap;
-    figure.script += row_script(rows, r, layout, scales, top);
+    figure.script += row_script(rows, r, figure.tables.back(), layout, scales, top);
     top += rows[r].height * layout.scale();
   }
   figure.script += colour_bar(layout) + "unset multiplot\n";
-  add_pictures(rows, layout, figure);
   return figure;
 }
 

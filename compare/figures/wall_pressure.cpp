@@ -28,9 +28,8 @@ void add_rows(Table& table, const WallPressureResult& result) {
   }
 }
 
-std::string pressure_rows(const RunResult& run) {
-  return "\"wall_pressure.csv\" using (strcol(1) eq " + plot_string(run.study.name) +
-         " ? column(3) : NaN):4 with lines ";
+std::string pressure_rows(const Table& table, const RunResult& run) {
+  return plotted_rows(table, {run.study.name}) + " using 3:4 with lines ";
 }
 
 /// The same for all panels, by the reference: what a noisy run has beyond it would leave nothing
@@ -94,9 +93,9 @@ std::vector<Figure> wall_pressure_figures(const StudyResult& study) {
     figure.script += i == panels.size() / 2
                          ? "set ylabel \"{/:Italic p}/({/:Italic ρgH})\" offset 1.2\n"
                          : "unset ylabel\n";
-    figure.script += "plot " + pressure_rows(*panels[i]) +
+    figure.script += "plot " + pressure_rows(table, *panels[i]) +
                      line_spec({run_style(i).colour, "solid"}, 0.7) + ", \\\n     " +
-                     pressure_rows(study.reference()) + line_spec(reference_style(), 1.1) +
+                     pressure_rows(table, study.reference()) + line_spec(reference_style(), 1.1) +
                      "\nunset label 2\n";
   }
   figure.script += "unset multiplot\n";

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,18 +15,13 @@ namespace surge::compare {
 
 /// Runs `work` in a child process and gives back the bytes that it returned; what it throws is
 /// thrown here again. Throws surge::Error naming the file where the child ended in any other way,
-/// or took more time or memory than reading such a file can; one of `bytes` where those are given.
+/// or took more time or memory than reading such a file can.
 [[nodiscard]] std::string in_child(const std::filesystem::path& file,
-                                   const std::function<std::string()>& work,
-                                   std::optional<std::uintmax_t> bytes = {});
+                                   const std::function<std::string()>& work);
 
 // The same for what the readers return.
 [[nodiscard]] ParticleTable table_in_child(const std::filesystem::path& file,
                                            const std::function<ParticleTable()>& work);
-/// Of several files, all of them in one child; throws where one of them does.
-[[nodiscard]] std::vector<ParticleTable> tables_in_child(
-    const std::vector<std::filesystem::path>& files,
-    const std::function<ParticleTable(const std::filesystem::path&)>& work);
 [[nodiscard]] std::vector<FilePart> parts_in_child(
     const std::filesystem::path& file, const std::function<std::vector<FilePart>()>& work);
 

@@ -1,18 +1,17 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "compare/read/readers.hpp"
+#include "compare/read/reading_process.hpp"
 
 namespace surge::compare {
 
-/// Tables of the files of a series that are read one after the other. Each XML file is read in
-/// another process (isolated.hpp), which costs more than reading it: so several that follow are
-/// read in one. Where one of them is faulty, each is read alone, and its own fault is told in its
-/// turn.
+/// Tables of the files of a series. XML files of VTK are read by a process of their own, one file
+/// ahead while they are read one after the other; the fault of a file is told in its turn.
 class TablesAhead {
  public:
   /// read_table() of the one file of entry `index`.
@@ -20,8 +19,9 @@ class TablesAhead {
                                    const ArrayNames& wanted, const SourceOptions& options);
 
  private:
-  std::map<std::size_t, ParticleTable> ahead_;
-  ArrayNames wanted_;
+  std::unique_ptr<ReadingProcess> process_;
+  std::optional<std::size_t> ahead_;  ///< the entry that is being read already
+  ArrayNames wanted_;                 ///< of it
   std::optional<std::size_t> last_;
 };
 

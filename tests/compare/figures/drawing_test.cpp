@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <regex>
+
 #include "compare/figures/gnuplot.hpp"
 #include "tests/compare/synthetic_study.hpp"
 
@@ -45,6 +47,35 @@ Figure figure_of_script(const std::string& name, const std::string& script) {
   figure.name = name;
   figure.script = script;
   return figure;
+}
+
+TEST(Drawing, PlottedRowsAreThoseThatBeginSo) {
+  Table table{"t", {"name", "kind", "x", "y"}, {}};
+  for (const double time : {1.0, 2.0})
+    for (const double x : {0.0, 1.0, 2.0}) table.add({"a, c", time, x, 10.0 * time + x});
+  table.add({"d", 1.0, 5.0, 15.0});
+  table.add({"a, c", 1.0, 9.0, 19.0});  // not beside the others
+  const TemporaryFolder folder;
+  const auto plotted = [&](const std::vector<Table::Cell>& key) {
+    const std::string rows = plotted_rows(table, key);
+    if (rows.empty()) return std::string();
+    Figure figure =
+        figure_of_script("f", "set table \"seen.txt\"\nset format \"%g\"\nplot " + rows +
+                                  " using 3:4 with points\nunset table\n"
+                                  "plot [0:1] x notitle\n");
+    figure.tables.push_back(table);
+    (void)draw(figure, folder.path());
+    std::istringstream seen(testing::read_text(folder / "seen.txt"));
+    std::string line, points;
+    while (std::getline(seen, line))
+      if (!line.empty() && line[0] != '#')
+        points += line.substr(0, line.find('i')) + ";";  // i: inside the range
+    return std::regex_replace(points, std::regex(" +"), " ");
+  };
+  EXPECT_EQ(plotted({"a, c", 1.0}), "0 10 ;1 11 ;2 12 ;");
+  EXPECT_EQ(plotted({"a, c", 2.0}), "0 20 ;1 21 ;2 22 ;");
+  EXPECT_EQ(plotted({"d"}), "5 15 ;");
+  EXPECT_EQ(plotted({"none"}), "");
 }
 
 TEST(Drawing, SeveralFiguresHaveTheirWarningsInTheirOrder) {
