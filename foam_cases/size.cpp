@@ -24,13 +24,17 @@ constexpr double frame_bytes_per_cell = 100.0;  ///< binary: U, p, p_rgh, alpha.
 constexpr double ascii_factor = 1.6;
 constexpr double row_bytes = 120.0;  ///< of what function objects write at a step
 constexpr double row_bytes_per_instrument = 40.0;
-constexpr double splash = 2.0;  ///< the fastest flow, air included, over the reference speed
+/// The fastest flow, air included, over the reference speed, as the mean over the run. Measured by
+/// the steps of 36 cells over L behind a step in the dam break: 4.3, of 24 cells: 3.6, of a column
+/// of 60 cells until it has come back: 3.7. A tank that sways has 1.5.
+constexpr double splash = 4.0;
 
 }  // namespace
 
 CaseSize case_size(const FoamCase& c) {
   CaseSize size;
   size.cells = c.mesh.cells();
+  size.cell = c.mesh.cell;
   size.frames = std::ceil(c.flow.time.end / c.flow.output_interval) + 1.0;
   const double speed = splash * reference_speed(c.flow);
   const double courant = std::min(c.settings.courant, c.settings.alpha_courant);
@@ -48,11 +52,8 @@ CaseSize case_size(const FoamCase& c) {
 }
 
 nlohmann::json to_json(const CaseSize& size) {
-  return {{"cells", size.cells},
-          {"frames", size.frames},
-          {"steps", size.steps},
-          {"memory_bytes", size.memory},
-          {"disk_bytes", size.disk}};
+  return {{"cells", size.cells}, {"cell", size.cell},           {"frames", size.frames},
+          {"steps", size.steps}, {"memory_bytes", size.memory}, {"disk_bytes", size.disk}};
 }
 
 double available_memory() {

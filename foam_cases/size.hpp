@@ -11,8 +11,9 @@ namespace surge::foam {
 /// What a case will take. Steps, memory and disk are guesses.
 struct CaseSize {
   double cells = 0.0;
+  double cell = 0.0;  ///< edge of a cell in the water, m
   double frames = 0.0;
-  double steps = 0.0;   ///< at the flow's reference speed; a splash has more
+  double steps = 0.0;   ///< with a splash
   double memory = 0.0;  ///< bytes, of all processes
   double disk = 0.0;    ///< bytes
 };

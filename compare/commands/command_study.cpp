@@ -34,6 +34,8 @@ void print_study(const nlohmann::json& study) {
     std::printf("  %-36s %s, %s\n", run["name"].get<std::string>().c_str(),
                 run["program"].get<std::string>().c_str(), printable(roles).c_str());
   }
+  for (const nlohmann::json& notice : study["notices"])
+    std::printf("notice: %s\n", printable(notice.get<std::string>()).c_str());
 }
 
 void write_plan(const std::string& where, const nlohmann::json& value) {

@@ -158,6 +158,7 @@ class Study:
     path: Path
     head: dict  # all that is said besides the runs
     runs: tuple[Run, ...]
+    notices: tuple[str, ...] = ()  # what is known before a run is made and a user should know
 
     @property
     def computed(self) -> tuple[Run, ...]:
@@ -209,9 +210,10 @@ def load(path: Path, only: str = "") -> Study:
         raise StudyError("\n".join(lines).removeprefix("surge-compare: "))
     document = json.loads(told.stdout)
     runs = tuple(_run(entry) for entry in document.pop("runs"))
+    notices = tuple(document.pop("notices"))
     said = {key: document[key] for key in document if key not in ("files", "published")}
     said["published"] = [entry["name"] for entry in document["published"]]
-    return Study(Path(path), {"said": said, "published": document["published"]}, runs)
+    return Study(Path(path), {"said": said, "published": document["published"]}, runs, notices)
 
 
 def _run(entry: dict) -> Run:

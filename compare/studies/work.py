@@ -201,6 +201,8 @@ def plan(study: Study, force: bool, cores: int, keep: bool) -> None:
         print(f"  {run.name:<{width}}  {word}  {'forced' if force and run in to_make else state}")
     state = "forced" if force else study.report_state()
     print(f"  {'report':<{width}}  {'keep' if state == 'up to date' else 'make'}  {state}", flush=True)
+    for notice in study.notices:
+        print(f"notice: {notice}", flush=True)
     _check_disk(to_make)
     found = estimate.estimate(to_make)
     if keep:

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "compare/study/levels_ahead.hpp"
+
 namespace surge::compare {
 
 using nlohmann::json;
@@ -34,7 +36,9 @@ json to_json(const Study& study, const std::string& only) {
            {"snapshot_times", json::array()},
            {"claims", study.claims},
            {"published", json::array()},
+           {"notices", json::array()},
            {"runs", json::array()}};
+  if (only.empty()) out["notices"] = verdicts_out_of_reach(study);
   for (const auto& file : study.files) out["files"].push_back(file.string());
   for (const Seconds time : study.snapshot_times) out["snapshot_times"].push_back(time.value());
   for (const StudyObservable& observable : study.observables)

@@ -8,7 +8,7 @@ namespace surge::compare {
 
 /// A study as other programs read it:
 ///   {"title", "files": [...], "reference", "strip_height", "snapshot_times", "claims",
-///    "published": [{"name", "file"}],
+///    "published": [{"name", "file"}], "notices": [lines of verdicts_out_of_reach()],
 ///    "runs": [{"name", "program", "case" (file or folder), "settings": [...], "threads", "timed",
 ///              "may_break", "roles": [{"role", "group"}], "map", "read": {...}, "resolved"}]}
 /// A run stands there once, with all of its roles; "timed" and "may_break" are true where they are

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/study/convergence.hpp"
+#include "compare/study/levels_ahead.hpp"
 #include "compare/study/quantities.hpp"
 #include "compare/study/sequences.hpp"
 #include "particle/support/bounds.hpp"
@@ -18,26 +19,14 @@ namespace {
 
 const double uniform = 1.0 / std::sqrt(3.0);  ///< standard deviation over half the width
 
-/// Settings that say how fine and how long a run is, and not what it computes.
-bool is_resolution(const std::string& setting) {
-  constexpr std::array names{"resolution.", "time.end=",        "endTime=",      "cellsPerL=",
-                             "foam.cells",  "output.interval=", "writeInterval="};
-  return std::any_of(names.begin(), names.end(),
-                     [&](const char* name) { return setting.starts_with(name); });
-}
-
-std::string what_it_computes(const RunResult& run) {
-  std::string key = run.study.program + '\n' + run.study.case_path.string();
-  for (const std::string& setting : run.study.settings)
-    if (!is_resolution(setting)) key += '\n' + setting;
-  return key + '\n' + run.measured->run.method + '\n' + run.measured->run.preset;
-}
-
 bool refines(const RunResult& other, const RunResult& run) {
   if (other.measured == nullptr || other.status != RunStatus::complete) return false;
   if (other.study.role != Role::comparison && other.study.role != Role::convergence) return false;
+  if (!may_be_levels(other.study, run.study)) return false;
   if (!run.study.group.empty() && other.study.group == run.study.group) return true;
-  return what_it_computes(other) == what_it_computes(run);
+  // Of files the tables do not say it.
+  return other.measured->run.method == run.measured->run.method &&
+         other.measured->run.preset == run.measured->run.preset;
 }
 
 bool same_size(Metres a, Metres b) {

@@ -150,7 +150,8 @@ TEST(Mesh, DangerousSizesAreRefusedWithNumbers) {
   const nlohmann::json told = to_json(size);
   EXPECT_EQ(told.at("cells"), 1500);
   EXPECT_EQ(told.at("memory_bytes"), size.memory);
-  EXPECT_EQ(told.size(), 5U);
+  EXPECT_DOUBLE_EQ(told.at("cell"), size.cell);
+  EXPECT_EQ(told.size(), 6U);
   CaseSize large = size;
   large.disk = 1e24;
   EXPECT_THROW(check_disk(large, "somewhere/new"), Error);

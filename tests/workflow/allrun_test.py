@@ -107,6 +107,7 @@ class Repetition(Project):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"first +run +not there yet")
         self.assertRegex(done.stdout, r"report +make")
+        self.assertRegex(done.stdout, r"\nnotice: first, second, vof: found one, expected three resolutions of each")
         self.assertEqual(sorted(self.root.rglob("*")), before)
         self.succeed(ran=ALL)
         self.study(second='"resolution.spacing=0.02"')
