@@ -184,6 +184,7 @@ class ReferenceParser {
       fail("time_shift", "\"" + text + "\"",
            series_.is_profile() ? "none for a profile" : "none or \"fitted within EXPRESSION\"");
     series_.shift_within = text.substr(start.size());
+    series_.clock = maybe("clock").value_or("");
   }
 
   void read_axes() {

@@ -39,6 +39,7 @@ struct ReferenceSeries {
   ReferenceKind kind = ReferenceKind::experiment;
   double first_uncertainty = 0.0;  ///< 95 % limit, in the column's unit
   std::optional<std::string> shift_within;
+  std::string clock;  ///< series of one clock are shifted together; empty: it has its own
   std::vector<Point> points;
 
   [[nodiscard]] bool is_profile() const { return at_time.has_value(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace surge::compare {
@@ -164,18 +165,32 @@ std::optional<PointDifference> point_difference(const Curve& a, const Curve& b) 
   return out;
 }
 
-double best_shift(const Curve& a, const Curve& b, double limit) {
-  const auto raw = point_difference(a, b);
-  if (!raw) return 0.0;
-  const std::size_t fewest = std::max<std::size_t>(2, (3 * raw->points + 3) / 4);
-  double best = 0.0, least = raw->rms;
+double best_shift(std::span<const ShiftedPair> pairs, double limit) {
+  struct Term {
+    const ShiftedPair* pair;
+    std::size_t fewest;
+  };
+  std::vector<Term> terms;
+  double least = 0.0;
+  for (const ShiftedPair& pair : pairs) {
+    const auto raw = point_difference(*pair.own, pair.published);
+    if (!raw) continue;
+    terms.push_back({&pair, std::max<std::size_t>(2, (3 * raw->points + 3) / 4)});
+    least += std::pow(raw->rms / pair.scale, 2);
+  }
+  double best = 0.0;
   for (int step = -1000; step <= 1000; ++step) {
     const double shift = 0.001 * step * limit;
-    Curve moved = b;
-    for (double& t : moved.first) t += shift;
-    const auto found = point_difference(a, moved);
-    if (!found || found->points < fewest || found->rms >= least) continue;
-    least = found->rms;
+    double squares = 0.0;
+    for (const Term& term : terms) {
+      Curve moved = term.pair->published;
+      for (double& t : moved.first) t += shift;
+      const auto found = point_difference(*term.pair->own, moved);
+      squares += found && found->points >= term.fewest ? std::pow(found->rms / term.pair->scale, 2)
+                                                       : std::numeric_limits<double>::infinity();
+    }
+    if (squares >= least) continue;
+    least = squares;
     best = shift;
   }
   return best;

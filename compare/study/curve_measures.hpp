@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "compare/study/observables.hpp"
@@ -53,8 +54,17 @@ struct PointDifference {
 };
 [[nodiscard]] std::optional<PointDifference> point_difference(const Curve& a, const Curve& b);
 
-/// The shift within +-limit (s), added to b's times, by which b's points are nearest to a; of three
-/// quarters at least of the points that unshifted ones share. Found to a thousandth of the limit.
-[[nodiscard]] double best_shift(const Curve& a, const Curve& b, double limit);
+/// A curve and published points of the same quantity.
+struct ShiftedPair {
+  const Curve* own = nullptr;
+  Curve published;
+  double scale = 1.0;  ///< by which differences are divided, in the quantity's unit: > 0
+};
+
+/// The one shift within +-limit (s), added to the times of all published points, that makes
+/// sum (rms/scale)^2 over the pairs least; three quarters at least of the points that unshifted
+/// ones share must stay. Pairs that share fewer than two have no say. Found to a thousandth of the
+/// limit.
+[[nodiscard]] double best_shift(std::span<const ShiftedPair> pairs, double limit);
 
 }  // namespace surge::compare

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "compare/measure/stated.hpp"
 #include "compare/study/curve_data.hpp"
@@ -82,9 +83,9 @@ class Comparer {
     Curve theirs{data.first, data.value};
     const Curve published = theirs;
     if (data.shift_within > 0.0) {
-      out.shift = best_shift(own_, theirs, data.shift_within);
+      out.shift = clock_shift(study_, run_, series, data.shift_within);
       for (double& t : theirs.first) t += out.shift;
-      out.note += (out.note.empty() ? "" : "; ") + std::string("its times are shifted");
+      out.note += (out.note.empty() ? "" : "; ") + shift_note(series, data, out.shift);
     }
     if (!common_window(theirs, out)) return out;
     for (const CurveMeasure measure : measures()) {
@@ -98,7 +99,51 @@ class Comparer {
     return out;
   }
 
+  /// What the shift of the series' clock is found by; empty where they are not comparable. Lives as
+  /// long as this.
+  [[nodiscard]] std::optional<ShiftedPair> shifted_pair(const ReferenceSeries& series) const {
+    const Physics& physics = run_.measured->run.physics;
+    const double slack = 2.0 * run_.measured->run.spacing.value();
+    if (own_.first.size() < 2 || other_case(series, physics) ||
+        other_place(series, physics, place(), slack))
+      return std::nullopt;
+    const ReferenceCurve data = curve_for(series, physics, quantity_.unit);
+    if (data.value.empty()) return std::nullopt;
+    // What is known better counts more.
+    double scale = 0.0;
+    for (const double limit : data.limit) scale += limit / static_cast<double>(data.limit.size());
+    const auto [low, high] = std::minmax_element(data.value.begin(), data.value.end());
+    if (!(scale > 0.0)) scale = usual_tolerance * (*high - *low);
+    if (!(scale > 0.0)) scale = 1.0;
+    return ShiftedPair{&own_, {data.first, data.value}, scale};
+  }
+
  private:
+  /// The one shift of all series of a clock for one run.
+  static double clock_shift(const StudyResult& study, const RunResult& run,
+                            const ReferenceSeries& series, double within) {
+    const std::vector<ObservedQuantity> quantities = observed_quantities(study);
+    std::vector<std::unique_ptr<Comparer>> owners;
+    std::vector<ShiftedPair> pairs;
+    for (const ObservedQuantity& quantity : quantities)
+      for (const ReferenceSeries* other : series_of(study, quantity)) {
+        const bool same =
+            other == &series || (!series.clock.empty() && other->clock == series.clock);
+        if (!same || !other->shift_within) continue;
+        owners.push_back(std::make_unique<Comparer>(study, quantity, run));
+        if (auto pair = owners.back()->shifted_pair(*other)) pairs.push_back(std::move(*pair));
+      }
+    return best_shift(pairs, within);
+  }
+
+  static std::string shift_note(const ReferenceSeries& series, const ReferenceCurve& data,
+                                double shift) {
+    std::string note = "its times are shifted";
+    if (!series.clock.empty()) note += ", like all of its clock " + series.clock;
+    if (std::abs(shift) > 0.9995 * data.shift_within) note += ", by as much as is allowed";
+    return note;
+  }
+
   [[nodiscard]] double value_in(const std::string& text, const std::string& unit,
                                 const char* key) const {
     return evaluate_in(text, unit, symbols_, asked_.place + "." + key);

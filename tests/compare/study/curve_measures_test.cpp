@@ -55,8 +55,27 @@ TEST(CurveMeasures, PointsAndShift) {
   ASSERT_TRUE(d);
   EXPECT_EQ(d->points, 2U);
   EXPECT_NEAR(d->rms, 0.3, 1e-12);
-  EXPECT_NEAR(best_shift(tent, points, 0.5), -0.15, 1e-9);
-  EXPECT_DOUBLE_EQ(best_shift(tent, points, 0.0), 0.0);
+  const std::vector<ShiftedPair> alone{{&tent, points, 1.0}};
+  EXPECT_NEAR(best_shift(alone, 0.5), -0.15, 1e-9);
+  EXPECT_DOUBLE_EQ(best_shift(alone, 0.0), 0.0);
+}
+
+// d_k = s_k + t of the lines y = x: sum ((s_k + t)/scale_k)^2 is least at the mean of -s_k,
+// weighted by 1/scale_k^2.
+TEST(CurveMeasures, OneShiftOfSeveralCurvesIsTheirWeightedMean) {
+  const Curve line{{0.0, 10.0}, {0.0, 10.0}};
+  const auto late = [&](double by, double scale) {
+    return ShiftedPair{&line, {{4.0 + by, 5.0 + by, 6.0 + by}, {4.0, 5.0, 6.0}}, scale};
+  };
+  const std::vector<ShiftedPair> equal{late(0.1, 1.0), late(0.3, 1.0)};
+  EXPECT_NEAR(best_shift(equal, 0.5), -0.2, 1e-3);
+  const std::vector<ShiftedPair> unequal{late(0.1, 1.0), late(0.4, 0.5)};
+  EXPECT_NEAR(best_shift(unequal, 0.5), -(0.1 + 4.0 * 0.4) / 5.0, 1e-3);
+  // One that shares no points has no say.
+  const Curve elsewhere{{20.0, 21.0}, {0.0, 1.0}};
+  const std::vector<ShiftedPair> third{
+      late(0.1, 1.0), late(0.3, 1.0), {&elsewhere, equal[0].published, 1.0}};
+  EXPECT_NEAR(best_shift(third, 0.5), -0.2, 1e-3);
 }
 
 TEST(CurveMeasures, NothingIsExtrapolated) {

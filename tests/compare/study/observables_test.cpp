@@ -97,6 +97,27 @@ TEST(Observables, AFittedShiftDoesNotHideTheDifferenceWithoutIt) {
   EXPECT_EQ(find(all[0], CurveMeasure::rms)->unshifted, std::nullopt);
 }
 
+// An experiment has one clock: what one of its series would like alone is not its to choose.
+TEST(Observables, SeriesOfOneClockAreShiftedByTheSameTime) {
+  const SyntheticStudy files;
+  write_clock(files, "0.07,24.5\n0.12,34.5\n0.17,44.5\n");
+  std::string text = testing::read_text(files.series() / "clock.csv");
+  text.insert(text.find("t,value"), "# clock: one\n");
+  testing::write_text(files.series() / "clock.csv", text);
+  std::string second = text;  // 10 ms earlier, and known ten times better
+  second.replace(second.find("value_uncertainty: 0.1"), 22, "value_uncertainty: 0.01");
+  second.replace(second.find("0.07,"), std::string::npos, "0.06,24.5\n0.11,34.5\n0.16,44.5\n");
+  testing::write_text(files.series() / "second.csv", second);
+  append(files, edge + "references = [\"clock\", \"second\"]\n");
+  const StudyResult study = files.collected();
+  const auto all = compare_curve(study, observed_quantities(study)[0], run_of(study, "mps-a"));
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_DOUBLE_EQ(all[1].shift, all[2].shift);
+  const double alone = -0.01 - 0.02 * SyntheticStudy::length / 2.0;  // of the second
+  EXPECT_NEAR(all[2].shift, alone - 0.01 / 101.0, 1e-4);
+  EXPECT_THAT(all[1].note, HasSubstr("like all of its clock one"));
+}
+
 TEST(Observables, FigureEndsWhereTheRunsDo) {
   const auto script = [](const std::string& rows) {
     const SyntheticStudy files;
