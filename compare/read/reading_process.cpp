@@ -93,7 +93,8 @@ std::string table_asked_for(const std::string& request) {
 [[noreturn]] void serve(int socket) {
   // It lives long: it must hold nobody's file, and no pipe whose end somebody waits for.
   constexpr int own = 3;
-  if (::dup2(socket, own) < 0 || ::close_range(own + 1, ~0U, 0) != 0) _exit(1);
+  if (::dup2(socket, own) < 0) _exit(1);
+  ::closefrom(own + 1);
   std::string request;
   while (receive_message(own, request))
     if (!send_message(own, answer_of([&] { return table_asked_for(request); }))) break;

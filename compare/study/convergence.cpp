@@ -127,6 +127,10 @@ std::string approach_text(Approach approach) {
   return "unknown";
 }
 
+bool same_level(double h1, double h2) {
+  return std::abs(h1 - h2) <= 0.01 * std::max(h1, h2);
+}
+
 std::optional<std::array<Level, 3>> systematic_levels(std::vector<Level> levels) {
   std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) { return a.h < b.h; });
   std::array<Level, 3> chosen;

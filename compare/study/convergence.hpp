@@ -62,6 +62,8 @@ inline constexpr double safety_factor = 1.25;
 /// Celik et al. want ratios above 1.3; values of particles are noisy, so that more is asked for.
 inline constexpr double smallest_ratio = 1.5;
 
+/// Whether two sizes are one level: within 1 %.
+[[nodiscard]] bool same_level(double h1, double h2);
 /// The finest level, and twice the next coarser one whose size is at least `smallest_ratio` larger;
 /// finest first, whatever order they come in. Empty where there are no three.
 [[nodiscard]] std::optional<std::array<Level, 3>> systematic_levels(std::vector<Level> levels);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -56,9 +55,8 @@ std::vector<Level> levels_ahead(const Study& study, const StudyRun& run) {
   for (const StudyRun& other : study.runs) {
     const auto size = size_ahead(other);
     if (!size || !is_level(other) || !may_be_levels(other, run)) continue;
-    const bool known = std::any_of(levels.begin(), levels.end(), [&](const Level& level) {
-      return std::abs(level.h - *size) <= 0.01 * std::max(level.h, *size);
-    });
+    const bool known = std::any_of(levels.begin(), levels.end(),
+                                   [&](const Level& level) { return same_level(level.h, *size); });
     if (!known) levels.push_back({*size, 0.0});
   }
   return levels;

@@ -334,25 +334,6 @@ std::optional<double> curve_uncertainty(const StudyResult& study, const Observed
                  [&](const MeasuredRun& level) { return curve_of(quantity, level).curve.at(at); });
 }
 
-std::vector<const ReferenceSeries*> series_of(const StudyResult& study,
-                                              const ObservedQuantity& quantity) {
-  std::vector<const ReferenceSeries*> found;
-  const StudyObservable& asked = study.observables[quantity.observable];
-  for (const std::string& name : asked.references) {
-    const ReferenceSeries& series = study.series(name);
-    if (series.is_profile() != quantity.is_profile() || series.component != quantity.component)
-      continue;
-    if (series.is_profile()) {
-      const Physics& physics = study.reference_run().run.physics;
-      const double time =
-          evaluate_in(*series.at_time, "s", case_symbols(physics), series.place + ": at_time");
-      if (std::abs(time - *quantity.asked) > 1e-3 * std::max(time, *quantity.asked)) continue;
-    }
-    found.push_back(&series);
-  }
-  return found;
-}
-
 std::vector<CurveComparison> compare_curve(const StudyResult& study,
                                            const ObservedQuantity& quantity, const RunResult& run) {
   const Comparer comparer(study, quantity, run);

@@ -38,10 +38,6 @@ struct CurveComparison {
                                                          const ObservedQuantity& quantity,
                                                          const RunResult& run);
 
-/// Series that belong to this quantity, by component and time.
-[[nodiscard]] std::vector<const ReferenceSeries*> series_of(const StudyResult& study,
-                                                            const ObservedQuantity& quantity);
-
 /// Standard numerical uncertainty of a run's curve at a place, from its refinements; empty where
 /// there are no three levels.
 [[nodiscard]] std::optional<double> curve_uncertainty(const StudyResult& study,

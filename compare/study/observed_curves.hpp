@@ -33,4 +33,8 @@ struct ObservedCurve {
 };
 [[nodiscard]] ObservedCurve curve_of(const ObservedQuantity& quantity, const MeasuredRun& run);
 
+/// Series that belong to this quantity, by component and time.
+[[nodiscard]] std::vector<const ReferenceSeries*> series_of(const StudyResult& study,
+                                                            const ObservedQuantity& quantity);
+
 }  // namespace surge::compare

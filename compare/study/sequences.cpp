@@ -33,10 +33,6 @@ double mean_step(const RunResult& run) {
   return steps > 0.0 ? simulated / steps : 0.0;
 }
 
-bool differ(double a, double b) {
-  return std::abs(a - b) > 0.01 * std::max(a, b);
-}
-
 /// What is refined, and from this the sizes.
 void set_sizes(Sequence& sequence) {
   const auto spacing = [](const SequenceLevel& level) {
@@ -45,7 +41,7 @@ void set_sizes(Sequence& sequence) {
   auto& levels = sequence.levels;
   sequence.over_spacing =
       levels.size() < 2 || std::any_of(levels.begin() + 1, levels.end(), [&](const auto& level) {
-        return differ(spacing(level), spacing(levels.front()));
+        return !same_level(spacing(level), spacing(levels.front()));
       });
   for (auto* list : {&sequence.levels, &sequence.others}) {
     for (auto& level : *list)
@@ -140,7 +136,7 @@ json bars_json(const StudyResult& study, const std::vector<Sequence>& sequences,
       continue;
     for (const SequenceLevel& level : sequence.levels) {
       for (const auto& [spacing, bar] : bars) {
-        if (differ(level.size, spacing)) continue;
+        if (!same_level(level.size, spacing)) continue;
         const double rms =
             difference(level.run->measured->front, finest->measured->front, study.wall()).rms;
         out.push_back(
@@ -180,14 +176,15 @@ void add_compared_runs(const StudyResult& study, Sequence& sequence) {
   const auto spacing = [](const SequenceLevel& level) {
     return level.run->measured->run.spacing.value();
   };
-  const bool over_spacing = std::any_of(
-      sequence.levels.begin(), sequence.levels.end(),
-      [&](const auto& level) { return differ(spacing(level), spacing(sequence.levels.front())); });
+  const bool over_spacing =
+      std::any_of(sequence.levels.begin(), sequence.levels.end(), [&](const auto& level) {
+        return !same_level(spacing(level), spacing(sequence.levels.front()));
+      });
   if (!over_spacing) return;
   for (const RunResult* run : refinements_of(study, *sequence.levels.front().run)) {
     const bool known = std::any_of(
         sequence.levels.begin(), sequence.levels.end(), [&](const SequenceLevel& level) {
-          return !differ(spacing(level), run->measured->run.spacing.value());
+          return same_level(spacing(level), run->measured->run.spacing.value());
         });
     if (!known) sequence.levels.push_back({run, 0.0});
   }

@@ -29,10 +29,6 @@ bool refines(const RunResult& other, const RunResult& run) {
          other.measured->run.preset == run.measured->run.preset;
 }
 
-bool same_size(Metres a, Metres b) {
-  return std::abs((a - b).value()) <= 0.01 * std::max(a, b).value();
-}
-
 /// 95 % uncertainty of a value of a run, taken of all its refinements that have it.
 template <class Value>
 std::optional<double> run_uncertainty(const std::vector<const RunResult*>& refinements,
@@ -217,7 +213,8 @@ std::vector<const RunResult*> refinements_of(const StudyResult& study, const Run
     for (const RunResult& other : *list) {
       if (!refines(other, run)) continue;
       const bool known = std::any_of(found.begin(), found.end(), [&](const RunResult* level) {
-        return same_size(level->measured->run.spacing, other.measured->run.spacing);
+        return same_level(level->measured->run.spacing.value(),
+                          other.measured->run.spacing.value());
       });
       if (!known) found.push_back(&other);
     }
