@@ -104,23 +104,24 @@ TEST_F(ReadingProcesses, AChildThatEndedWhileNothingWasAskedIsReplaced) {
   EXPECT_EQ(count_in(1), 2U);
 }
 
-TEST_F(ReadingProcesses, WhatEndsTheChildIsAnErrorOfTheFileAskedFor) {
-  EXPECT_EQ(count_in(0), 1U);
-  const pid_t child = the_child();
-  signal_and_wait(child, SIGSTOP);
-  process.ask(file(1), std::nullopt);
-  signal_and_wait(child, SIGKILL);
+struct KilledReadingProcesses : ReadingProcesses {
+  /// The child ended while file 1 was asked for and not answered.
+  void SetUp() override {
+    EXPECT_EQ(count_in(0), 1U);
+    const pid_t child = the_child();
+    signal_and_wait(child, SIGSTOP);
+    process.ask(file(1), std::nullopt);
+    signal_and_wait(child, SIGKILL);
+  }
+};
+
+TEST_F(KilledReadingProcesses, EndIsAnErrorOfTheFileAskedFor) {
   EXPECT_THAT(error_of([&] { (void)process.answer(); }),
               HasSubstr("f_1.vtp: the library that reads it broke down (signal 9)"));
   EXPECT_EQ(count_in(2), 3U);
 }
 
-TEST_F(ReadingProcesses, WhatEndsTheChildIsNoErrorOfAnotherFile) {
-  EXPECT_EQ(count_in(0), 1U);
-  const pid_t child = the_child();
-  signal_and_wait(child, SIGSTOP);
-  process.ask(file(1), std::nullopt);
-  signal_and_wait(child, SIGKILL);
+TEST_F(KilledReadingProcesses, EndIsNoErrorOfAnotherFile) {
   EXPECT_EQ(count_in(2), 3U);
 }
 
