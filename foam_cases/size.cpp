@@ -26,7 +26,7 @@ constexpr double row_bytes = 120.0;  ///< of what function objects write at a st
 constexpr double row_bytes_per_instrument = 40.0;
 /// The fastest flow, air included, over the reference speed, as the mean over the run. Measured by
 /// the steps of 36 cells over L behind a step in the dam break: 4.3, of 24 cells: 3.6, of a column
-/// of 60 cells until it has come back: 3.7. A tank that sways has 1.5.
+/// of 60 cells over a dry floor and back: 2.5. A tank that sways has 1.5.
 constexpr double splash = 4.0;
 
 }  // namespace

@@ -58,7 +58,8 @@ struct PointDifference {
 struct ShiftedPair {
   const Curve* own = nullptr;
   Curve published;
-  double scale = 1.0;  ///< by which differences are divided, in the quantity's unit: > 0
+  double scale = 1.0;   ///< by which differences are divided, in the quantity's unit: > 0
+  double within = 0.0;  ///< s, how far the points alone may be shifted
 };
 
 /// The one shift within +-limit (s), added to the times of all published points, that makes

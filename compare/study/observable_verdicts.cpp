@@ -99,8 +99,8 @@ class Comparer {
     return out;
   }
 
-  /// What the shift of the series' clock is found by; empty where they are not comparable. Lives as
-  /// long as this.
+  /// For the shift of the series' clock; empty where they are not comparable. Lives as long as
+  /// this.
   [[nodiscard]] std::optional<ShiftedPair> shifted_pair(const ReferenceSeries& series) const {
     const Physics& physics = run_.measured->run.physics;
     const double slack = 2.0 * run_.measured->run.spacing.value();
@@ -115,7 +115,7 @@ class Comparer {
     const auto [low, high] = std::minmax_element(data.value.begin(), data.value.end());
     if (!(scale > 0.0)) scale = usual_tolerance * (*high - *low);
     if (!(scale > 0.0)) scale = 1.0;
-    return ShiftedPair{&own_, {data.first, data.value}, scale};
+    return ShiftedPair{&own_, {data.first, data.value}, scale, data.shift_within};
   }
 
  private:
@@ -131,7 +131,10 @@ class Comparer {
             other == &series || (!series.clock.empty() && other->clock == series.clock);
         if (!same || !other->shift_within) continue;
         owners.push_back(std::make_unique<Comparer>(study, quantity, run));
-        if (auto pair = owners.back()->shifted_pair(*other)) pairs.push_back(std::move(*pair));
+        auto pair = owners.back()->shifted_pair(*other);
+        if (!pair) continue;
+        within = std::min(within, pair->within);
+        pairs.push_back(std::move(*pair));
       }
     return best_shift(pairs, within);
   }
