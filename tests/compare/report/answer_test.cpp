@@ -4,9 +4,7 @@
 #include <regex>
 #include <sstream>
 
-#include "compare/report/page.hpp"
-#include "compare/report/report.hpp"
-#include "tests/compare/synthetic_study.hpp"
+#include "tests/compare/written_report.hpp"
 
 namespace surge::compare {
 namespace {
@@ -14,7 +12,6 @@ namespace {
 using nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using testing::read_text;
 using testing::SyntheticStudy;
 
 json answer_of(const SyntheticStudy& files) {
@@ -23,10 +20,7 @@ json answer_of(const SyntheticStudy& files) {
 
 /// The sentences that stand first on the page, without their markup.
 std::vector<std::string> sentences_of(const SyntheticStudy& files) {
-  const StudyResult study = files.collected();
-  std::filesystem::create_directories(files.out());
-  write_page(study, report_metrics(study), {}, files.out());
-  const std::string page = read_text(files.out() / "index.html");
+  const std::string page = testing::report_without_figures(files).page;
   const auto begin = page.find("<div class=\"answer\">");
   const std::string text = page.substr(begin, page.find("</div>", begin) - begin);
   std::vector<std::string> sentences;

@@ -9,8 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "compare/report/page.hpp"
-#include "tests/compare/synthetic_study.hpp"
+#include "tests/compare/written_report.hpp"
 
 namespace surge::compare {
 namespace {
@@ -20,22 +19,10 @@ using testing::error_of;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::read_text;
+using testing::report_without_figures;
 using testing::SyntheticStudy;
-
-struct Written {
-  std::string page;
-  json metrics;
-  std::string table;
-};
-
-Written write(const SyntheticStudy& files) {
-  const StudyResult study = files.collected();
-  std::string warnings;
-  const json metrics = write_report(study, files.out(), warnings);
-  EXPECT_EQ(warnings, "");
-  return {read_text(files.out() / "index.html"),
-          json::parse(read_text(files.out() / "metrics.json")), summary_table(study, metrics)};
-}
+using testing::written_report;
+using testing::WrittenReport;
 
 std::string unescape(std::string text) {
   const std::vector<std::pair<std::string, std::string>> entities{
@@ -63,7 +50,7 @@ const std::regex data_element("<data data-key=\"([^\"]*)\" value=\"([^\"]*)\">([
 
 TEST(Report, PageIsStrictlyWellFormedAndSelfContained) {
   const SyntheticStudy files;
-  const Written report = write(files);
+  const WrittenReport report = written_report(files);
   EXPECT_TRUE(vtkSmartPointer<vtkXMLDataElement>::Take(
                   vtkXMLUtilities::ReadElementFromString(report.page.c_str())) != nullptr);
   EXPECT_FALSE(std::regex_search(report.page, std::regex("<script[^>]*\\ssrc")));
@@ -93,7 +80,7 @@ std::string without_tags(const std::string& page) {
 
 TEST(Report, EveryNumberOfThePageIsInTheMetrics) {
   const SyntheticStudy files;
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   std::size_t numbers = 0;
   for (std::sregex_iterator it(report.page.begin(), report.page.end(), data_element), end;
        it != end; ++it) {
@@ -115,7 +102,7 @@ TEST(Report, EveryNumberOfThePageIsInTheMetrics) {
 
 TEST(Report, NoNumberStandsOutsideTheMetrics) {
   const SyntheticStudy files;
-  std::string page = write(files).page;
+  std::string page = written_report(files).page;
   for (const char* tag : {"style", "script", "svg", "figcaption", "data", "title", "code"})
     page = without(page, tag);
   // Column headings name the levels of arrival, which are keys of the metrics.
@@ -129,7 +116,7 @@ TEST(Report, NoNumberStandsOutsideTheMetrics) {
 
 TEST(Report, SectionsComeInTheOrderOfThePaperAndShowEveryFigureOnce) {
   const SyntheticStudy files;
-  const Written report = write(files);
+  const WrittenReport report = written_report(files);
   std::size_t last = 0;
   for (const char* id : {"summary",  "fig8",   "viewer",   "figures",   "fig1",          "fig2",
                          "fig3",     "fig4",   "fig5",     "fig6",      "fig7",          "surfaces",
@@ -152,7 +139,7 @@ TEST(Report, SectionsComeInTheOrderOfThePaperAndShowEveryFigureOnce) {
 
 TEST(Report, SummaryCountsTheVerdicts) {
   const SyntheticStudy files;
-  const json metrics = write(files).metrics;
+  const json metrics = report_without_figures(files).metrics;
   std::map<std::string, int> counts;
   for (const json& claim : metrics["claims"]) {
     const std::string verdict = claim["verdict"];
@@ -168,7 +155,7 @@ TEST(Report, SummaryCountsTheVerdicts) {
 
 TEST(Report, AnswerIsThreeSentencesAndAFigure) {
   const SyntheticStudy files;
-  const std::string page = write(files).page;
+  const std::string page = written_report(files).page;
   const auto begin = page.find("<div class=\"answer\">");
   ASSERT_NE(begin, std::string::npos);
   const std::string answer = page.substr(begin, page.find("</div>", begin) - begin);
@@ -185,23 +172,20 @@ TEST(Report, AnswerIsThreeSentencesAndAFigure) {
 
 TEST(Report, FrontByOtherChoicesIsTold) {
   const SyntheticStudy files;
-  const StudyResult study = files.collected();
-  const json metrics = report_metrics(study);
+  const WrittenReport report = report_without_figures(files);
   for (const char* run : {"mps-a", "sph-a", "vof-20"}) {
-    const json& choices = metrics["front"][run]["front_sensitivity"];
+    const json& choices = report.metrics["front"][run]["front_sensitivity"];
     for (const char* name : {"strip_x2", "linking_1.5", "linking_2.5"})
       // A column of full height: no choice moves its front.
       EXPECT_NEAR(choices[name]["rms"], 0.0, 1e-9) << run << ' ' << name;
   }
-  std::filesystem::create_directories(files.out());
-  write_page(study, metrics, {}, files.out());
-  EXPECT_THAT(read_text(files.out() / "index.html"), HasSubstr("Front by other choices"));
+  EXPECT_THAT(report.page, HasSubstr("Front by other choices"));
 }
 
 TEST(Report, StatesWhatTheRunsWereMadeToShow) {
   const SyntheticStudy files;
   files.refine_all();
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_NEAR(report.metrics["front"]["mps-a"]["max_vs_vof"], 0.02, 1e-6);
   EXPECT_NEAR(report.metrics["front"]["sph-a"]["max_vs_vof"], 0.05, 1e-6);
   EXPECT_EQ(report.metrics["summary"]["nearer"], "MPS");
@@ -212,7 +196,7 @@ TEST(Report, StatesWhatTheRunsWereMadeToShow) {
 
 TEST(Report, WithoutUncertaintyTheHeadlineIsLeftOpen) {
   const SyntheticStudy files;
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_THAT(report.page, HasSubstr("is not decidable by these runs"));
   EXPECT_THAT(report.page, HasSubstr("id=\"verdicts\""));
   EXPECT_TRUE(std::regex_search(report.table, std::regex("mps-a +complete .* not decidable")));
@@ -220,7 +204,7 @@ TEST(Report, WithoutUncertaintyTheHeadlineIsLeftOpen) {
 
 TEST(Report, WallPressureIsThatOfTheProbes) {
   const SyntheticStudy files;
-  const Written report = write(files);
+  const WrittenReport report = written_report(files);
   const json& runs = report.metrics["wall_pressure"]["runs"];
   EXPECT_NEAR(runs["vof-20"]["peak"], 1.0, 1e-6);
   EXPECT_NEAR(runs["mps-a"]["impulse"], 4.0, 1e-6);
@@ -236,7 +220,7 @@ TEST(Report, StudyWithoutAProbeHasNoWallPressure) {
   json manifest = json::parse(read_text(file));
   manifest["case"].erase("probes");
   testing::write_text(file, manifest.dump());
-  const Written report = write(files);
+  const WrittenReport report = written_report(files);
   EXPECT_TRUE(report.metrics["wall_pressure"].empty());
   EXPECT_THAT(report.page, Not(HasSubstr("wall_pressure\"")));
 }
@@ -245,7 +229,7 @@ TEST(Report, TheOtherVerdictIsWrittenToo) {
   const SyntheticStudy files;
   files.write("sph-a", "sph", 0.001 * SyntheticStudy::length);
   files.refine_all(0.02, 0.001);
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_EQ(report.metrics["summary"]["nearer"], "SPH");
   EXPECT_THAT(report.page, HasSubstr("is not reproduced by these runs"));
 }
@@ -253,7 +237,7 @@ TEST(Report, TheOtherVerdictIsWrittenToo) {
 TEST(Report, MissingRunIsShownAsMissing) {
   const SyntheticStudy files;
   std::filesystem::remove_all(files.runs() / "sph-a");
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_EQ(report.metrics["runs"]["sph-a"]["status"], "missing");
   EXPECT_TRUE(report.metrics["summary"]["nearer"].is_null());
   EXPECT_THAT(report.page, HasSubstr("status-missing"));
@@ -265,7 +249,7 @@ TEST(Report, UnfinishedRunIsMeasuredAndMarkedButNoVerdictRestsOnIt) {
   const SyntheticStudy files;
   std::filesystem::remove_all(files.runs() / "sph-a");
   files.write("sph-a", "sph", 0.001 * SyntheticStudy::length, false);
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_EQ(report.metrics["runs"]["sph-a"]["status"], "unfinished");
   EXPECT_EQ(report.metrics["runs"]["sph-a"]["note"], "ends at 0.1 s");
   EXPECT_TRUE(report.metrics["front"]["sph-a"]["rms_vs_vof"].is_number());
@@ -278,7 +262,7 @@ TEST(Report, RunOfAnotherCaseIsUnusableAndSaysWhy) {
   json manifest = json::parse(read_text(file));
   manifest["case"]["fluid"]["gravity"] = {0, -1.62, 0};
   testing::write_text(file, manifest.dump());
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   EXPECT_EQ(report.metrics["runs"]["mps-a"]["status"], "unusable");
   EXPECT_THAT(report.metrics["runs"]["mps-a"]["note"].get<std::string>(), HasSubstr("gravity"));
 }
@@ -292,7 +276,7 @@ TEST(Report, MissingReferenceIsAnError) {
 
 TEST(Report, DeparturesFromThePaperAreTold) {
   const SyntheticStudy files;
-  const json metrics = write(files).metrics;
+  const json metrics = report_without_figures(files).metrics;
   const json& sph = metrics["deviations"]["sph-a"];
   EXPECT_EQ(sph["gamma"]["agreement"], "as stated");
   EXPECT_EQ(sph["density_diffusion"]["agreement"], "departs");
@@ -334,7 +318,7 @@ TEST(Report, StudyThatJudgesNoPaperHasNoWordOfItsStatements) {
   const std::string claims = "claims = \"alves_dreux\"\n";
   study.erase(study.find(claims), claims.size());
   testing::write_text(files.study(), study);
-  const Written report = write(files);
+  const WrittenReport report = report_without_figures(files);
   for (const char* name : {"claims", "claim_counts", "deviations", "errata"})
     EXPECT_FALSE(report.metrics.contains(name)) << name;
   for (const char* word : {"id=\"claims\"", "id=\"errata\"", "paper’s statement", "statements"})

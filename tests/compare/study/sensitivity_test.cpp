@@ -4,8 +4,7 @@
 
 #include <regex>
 
-#include "compare/report/report.hpp"
-#include "tests/compare/synthetic_study.hpp"
+#include "tests/compare/written_report.hpp"
 
 namespace surge::compare {
 namespace {
@@ -83,32 +82,23 @@ TEST(Sensitivity, BrokenAndMissingRunsAreShownAsWhatTheyAre) {
 }
 
 TEST(Sensitivity, TheReportShowsItAndAStudyWithoutItHasNoSuchSection) {
-  const auto page_of = [](const SyntheticStudy& files) {
-    std::string warnings;
-    static_cast<void>(write_report(files.collected(), files.out(), warnings));
-    EXPECT_EQ(warnings, "");
-    return read_text(files.out() / "index.html");
-  };
   const VariedStudy files;
-  const std::string page = page_of(files);
+  const std::string page = testing::written_report(files).page;
   EXPECT_THAT(page, HasSubstr("<section id=\"sensitivity\""));
   EXPECT_THAT(page, HasSubstr("data-key=\"/sensitivity/mps/runs/0/rms\""));
   EXPECT_THAT(page, HasSubstr("id=\"sensitivity_mps\""));
   EXPECT_THAT(page, Not(HasSubstr("id=\"sensitivity_vof\"")));
   const std::string csv = read_text(files.out() / "figures/sensitivity_mps.csv");
   EXPECT_TRUE(std::regex_search(csv, std::regex("\n-1\\.5,beta,0\\.99,0\\.0[45]")));
-  EXPECT_THAT(page_of(SyntheticStudy()), Not(HasSubstr("id=\"sensitivity")));
+  EXPECT_THAT(testing::report_without_figures(SyntheticStudy()).page,
+              Not(HasSubstr("id=\"sensitivity")));
 }
 
 TEST(Sensitivity, NoNumberOfItStandsOutsideTheMetrics) {
-  const VariedStudy files;
-  std::string warnings;
-  static_cast<void>(write_report(files.collected(), files.out(), warnings));
-  std::string page = read_text(files.out() / "index.html");
+  std::string page = testing::report_without_figures(VariedStudy()).page;
   const auto begin = page.find("<section id=\"sensitivity\"");
+  ASSERT_NE(begin, std::string::npos);
   page = page.substr(begin, page.find("</section>", begin) - begin);
-  const auto figure = page.find("<figure");
-  page.erase(figure, page.find("</figure>") - figure);
   page = std::regex_replace(page, std::regex("<data [^>]*>[^<]*</data>"), "");
   page = std::regex_replace(page, std::regex("<h3>|</h3>|<[^>]*>"), " ");
   std::smatch found;
