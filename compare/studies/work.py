@@ -24,6 +24,7 @@ from study import (PROGRAMS, REPORT, RUNS, NotBuilt, Run, Study, StudyError, foa
 LOG_LINES = 15  # of a failed run's log are shown
 CHECKPOINT = "checkpoint.bin"  # in the folder of a particle run that was stopped
 NO_RESTART = 3  # surge-particle's status where it cannot go on from that
+NOTHING_TO_DO = 4  # our own status after a plan: all is up to date
 FAILED = Path(".snakemake/failed.txt")  # what failed since the plan was made, a line each
 FULL = 1 << 20  # bytes: with less left, a failure is the disk's
 
@@ -189,8 +190,9 @@ def _keep_cause(text: str) -> None:
         pass  # it was printed, too
 
 
-def plan(study: Study, force: bool, cores: int, keep: bool) -> None:
-    """Prints, line by line, what an Allrun would do now, and how long that will take."""
+def plan(study: Study, force: bool, cores: int, keep: bool) -> bool:
+    """Prints, line by line, what an Allrun would do now, and how long that will take. Returns
+    whether there is anything to do."""
     width = max(len(run.name) for run in study.runs)
     to_make = []
     for run in study.runs:
@@ -210,6 +212,7 @@ def plan(study: Study, force: bool, cores: int, keep: bool) -> None:
         estimate.keep(found, to_make, cores)
     if state != "up to date":
         print(f"estimate: {_duration(study, to_make, found, cores)}", flush=True)
+    return bool(to_make) or state != "up to date"
 
 
 def _bytes(number: float) -> str:
@@ -245,14 +248,15 @@ def _duration(study: Study, to_make: list[Run], found: estimate.Estimate, cores:
     return text + (f", without {unknown} of which nothing is known" if unknown else "")
 
 
-def _do(options: argparse.Namespace) -> bool:
+def _do(options: argparse.Namespace) -> int:
+    """The exit status."""
     study = load(options.study, options.name if options.task == "run" else "")
     if options.task == "plan":
-        plan(study, options.force, options.cores, options.keep)
-        return True
+        anything = plan(study, options.force, options.cores, options.keep)
+        return 0 if anything or options.dry else NOTHING_TO_DO
     if options.task == "report":
-        return report(study)
-    return execute(study, options.name, options.digest)
+        return 0 if report(study) else 1
+    return 0 if execute(study, options.name, options.digest) else 1
 
 
 def main() -> int:
@@ -267,7 +271,7 @@ def main() -> int:
     parser.add_argument("--dry", action="store_true", help="plan: before the programs are built, say so")
     options = parser.parse_args()
     try:
-        return 0 if _do(options) else 1
+        return _do(options)
     except NotBuilt as error:
         print(f"runs: {error}", file=sys.stdout if options.dry else sys.stderr)
         return 0 if options.dry else 1

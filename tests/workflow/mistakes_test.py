@@ -158,8 +158,8 @@ class Elsewhere(Project):
 class Packages(Project):
     def machine(self, installed, user=0):
         """PATH of a machine on which just these packages are installed."""
-        self.write("tools/dpkg-query", "#!/bin/bash\n[[ ' " + " ".join(installed)
-                   + " ' == *\" ${@: -1} \"* ]] && echo -n installed\n", executable=True)
+        self.write("tools/dpkg-query", "#!/bin/bash\nfor package in \"${@:3}\"; do\n  [[ ' " + " ".join(installed)
+                   + " ' != *\" $package \"* ]] || echo \"$package installed\"\ndone\n", executable=True)
         self.write("tools/id", f"#!/bin/bash\necho {user}\n", executable=True)
         for name in ("apt-get", "sudo"):
             self.write(f"tools/{name}", f'#!/bin/bash\necho "{name} $*" >>{self.root}/installed\n'
