@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/figures/differences.hpp"
+#include "compare/figures/lines_of_text.hpp"
 #include "compare/figures/method.hpp"
 #include "compare/figures/solids.hpp"
 #include "compare/study/water_differences.hpp"
@@ -65,13 +66,6 @@ Image picture_of(const WaterDifference& found, const PictureScale& scale,
                     1.0);
   }
   return image;
-}
-
-/// "MPS paper, l0 = 5 mm" is wider than one of six columns.
-std::string broken_label(std::string label) {
-  if (const auto comma = label.find(", "); comma != std::string::npos)
-    label.replace(comma, 2, "\n");
-  return label;
 }
 
 /// "12 %", with a decimal below ten.
@@ -161,13 +155,12 @@ std::vector<Figure> difference_figures(const StudyResult& study) {
             " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(times[r]).value(), 2) +
             "\" at graph 0,1 left offset 0,character 1.45\n";
       if (r == 0)
-        figure.script += "set label 4 " + plot_label(broken_label(runs[c]->label())) +
+        figure.script += "set label 4 " + plot_label(label_in_two_lines(runs[c]->label())) +
                          " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
       figure.script += solid_objects(solids, times[r]);
       const DifferencePanel& panel = rows[r][c];
       if (!panel.found) {
-        figure.script += "set label 3 " + plot_label(panel.missing) +
-                         " at graph 0.5,0.5 center textcolor rgb \"#606060\"\nplot 1/0 notitle\n";
+        figure.script += missing_panel(panel.missing, layout.panel_width);
       } else {
         const std::string name = "differences_" + std::to_string(r) + "_" + std::to_string(c);
         const double pixel = 1.0 / (11.0 * layout.scale());

@@ -22,7 +22,7 @@ std::span<const FigureDefinition> all_figures() {
        {"surfaces", "free_surfaces", surface_figure},
        {"patterns", "overlap", pattern_figure},
        {"fig8", "leading_edge", leading_edge_figure, true},
-       {"fig8_shifted", "leading_edge_shifted", shifted_leading_edge_figure, true},
+       {"fig8_shifted", "leading_edge_shifted", shifted_leading_edge_figure, true, true},
        {"fig9", "cost", cost_figure},
        {"sensitivity_mps", "mps", mps_sensitivity_figure, true},
        {"sensitivity_sph", "sph", sph_sensitivity_figure, true},
@@ -70,7 +70,9 @@ std::vector<Figure> figures_of(const StudyResult& study) {
   std::vector<Figure> figures;
   if (study.has_reference())
     for (const auto& definition : all_figures())
-      if (study.has_front || !definition.needs_front) figures.push_back(definition.make(study));
+      if ((study.has_front || !definition.needs_front) &&
+          (!study.published.empty() || !definition.needs_series))
+        figures.push_back(definition.make(study));
   for (Figure& figure : further_figures(study)) figures.push_back(std::move(figure));
   // The numbers are those of the paper, which other studies have nothing to do with.
   if (!study.judges_paper())
@@ -92,6 +94,9 @@ Figure figure_of(const StudyResult& study, const std::string& name) {
       throw Error("figure " + name + ": found a study without a reference run, expected one");
     if (definition->needs_front && !study.has_front)
       throw Error("figure " + name + ": found a study without a leading edge, expected one");
+    if (definition->needs_series && study.published.empty())
+      throw Error("figure " + name +
+                  ": found a study without published series of the leading edge, expected some");
     return definition->make(study);
   }
   std::string known = study.has_reference() ? known_figures() : "";

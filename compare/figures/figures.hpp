@@ -62,7 +62,8 @@ struct FigureDefinition {
   std::string name;  ///< "fig8"; its files', and `surge-compare figure 8` finds it
   std::string word;  ///< another name, for those who do not know the paper's numbers
   Figure (*make)(const StudyResult&);
-  bool needs_front = false;  ///< shows the leading edge
+  bool needs_front = false;   ///< shows the leading edge
+  bool needs_series = false;  ///< shows published series of it
 };
 
 /// All figures in the order of the paper.

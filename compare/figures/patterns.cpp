@@ -182,10 +182,16 @@ Figure pattern_figure(const StudyResult& study) {
   const auto [first, last] = range_of(rows, 2);
   script << "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.985\nset xrange ["
          << plot_number(first) << ":" << plot_number(last) << "]\n";
-  if (hit) {
-    script << "set arrow 1 from first " << plot_number(impact) << ",graph 0 to first "
-           << plot_number(impact) << ",graph 1 nohead lw 1 lc rgb \"#909090\" back\n";
-  }
+  // The line of the impact; in the first panel above the legend only.
+  const auto mark_impact = [&](double from) {
+    if (hit)
+      script << "set arrow 1 from first " << plot_number(impact) << ",graph " << plot_number(from)
+             << " to first " << plot_number(impact)
+             << ",graph 1 nohead lw 1 lc rgb \"#909090\" back\n";
+  };
+  constexpr double panel_mm = 0.265 * 128.0, entry_mm = 3.9;
+  mark_impact(
+      std::min(0.9, 0.05 + entry_mm / panel_mm * static_cast<double>(study.measured().size())));
   const auto place = [&](double top, double bottom, bool lowest) {
     script << "set tmargin at screen " << top << "\nset bmargin at screen " << bottom << "\n"
            << (lowest ? "set format x \"%g\"\nset xlabel \"{/:Italic T} = {/:Italic t} "
@@ -197,6 +203,7 @@ Figure pattern_figure(const StudyResult& study) {
             "reverse\n"
          << overlap_panel(study, overlaps);
   place(0.675, 0.41, false);
+  mark_impact(0.0);
   script << "set ylabel \"detached water, %\"\nset yrange [0:"
          << plot_number(std::ceil(150.0 * largest(rows, 4, 0.01))) << "]\nunset key\n"
          << panel_of(study, rows, 5, 6, 7, 100.0);

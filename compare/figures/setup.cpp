@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compare/figures/figures.hpp"
@@ -48,8 +49,9 @@ class View {
                        "\nset xrange [" + plot_number(lower_[0]) + ":" + plot_number(upper_[0]) +
                        "]\nset yrange [" + plot_number(lower_[up_]) + ":" +
                        plot_number(upper_[up_]) + "]\n" + water() + solids() + walls();
+    std::vector<std::array<double, 2>> taken;
     for (std::size_t k = 0; k < marked.size(); ++k)
-      text += mark(marked[k].place, std::to_string(k + 1), k >= probes && is_side());
+      text += mark(marked[k].place, std::to_string(k + 1), k >= probes && is_side(), taken);
     return text + "plot 1/0 notitle\n";
   }
 
@@ -150,18 +152,41 @@ class View {
     return text;
   }
 
-  [[nodiscard]] std::string mark(const Vec3& place, const std::string& number, bool gauge) const {
+  /// A number beside its place; above those that it would lie over (`taken`, mm), with a line to
+  /// its place.
+  [[nodiscard]] std::string mark(const Vec3& place, const std::string& number, bool gauge,
+                                 std::vector<std::array<double, 2>>& taken) const {
+    const double mm = (upper_[0] - lower_[0]) / width_mm;
+    const std::string colour = "textcolor rgb \"#a34400\"";
+    const double y = gauge ? upper_[up_] - 0.08 * (upper_[up_] - lower_[up_])
+                           : std::clamp(place[up_], lower_[up_], upper_[up_]);
+    const bool to_the_left = place[0] > 0.9 * upper_[0];
+    const double x = place[0] + (to_the_left ? -1.2 : 1.2) * mm;
+    const double free_y = free_place(x / mm, y / mm, taken) * mm;
     std::string text;
     if (gauge)
       text += line(place[0], lower_[up_], place[0], upper_[up_],
                    "nohead front lw 1 lc rgb \"#d55e00\" dt '-'");
-    const double y = gauge ? upper_[up_] - 0.08 * (upper_[up_] - lower_[up_])
-                           : std::clamp(place[up_], lower_[up_], upper_[up_]);
-    text += "set label " + plot_string(number) + " at " + at(place[0], y) +
-            (place[0] > 0.9 * upper_[0] ? " right offset -0.6,0.3" : " left offset 0.6,0.3") +
-            " front font \",6.5\" textcolor rgb \"#a34400\"" +
-            (gauge ? "\n" : " point pt 7 ps 0.35 lc rgb \"#d55e00\"\n");
-    return text;
+    if (free_y > y + 0.1 * mm)
+      text += line(place[0], y, x, free_y, "nohead front lw 0.4 lc rgb \"#d55e00\"");
+    if (!gauge)
+      text +=
+          "set label \"\" at " + at(place[0], y) + " front point pt 7 ps 0.35 lc rgb \"#d55e00\"\n";
+    return text + "set label " + plot_string(number) + " at " + at(x, free_y) +
+           (to_the_left ? " right" : " left") + " front font \",6.5\" " + colour + "\n";
+  }
+
+  /// The height, mm, at or above y where a number lies over none of the others; it is taken then.
+  static double free_place(double x, double y, std::vector<std::array<double, 2>>& taken) {
+    constexpr double wide = 3.5, high = 2.7;  // of two digits of 6.5 pt
+    const auto over = [&](const std::array<double, 2>& other) {
+      return std::abs(other[0] - x) < wide && std::abs(other[1] - y) < high;
+    };
+    for (auto other = std::find_if(taken.begin(), taken.end(), over); other != taken.end();
+         other = std::find_if(taken.begin(), taken.end(), over))
+      y = (*other)[1] + 1.001 * high;
+    taken.push_back({x, y});
+    return y;
   }
 
   const Physics& physics_;

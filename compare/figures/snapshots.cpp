@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "compare/figures/figures.hpp"
+#include "compare/figures/lines_of_text.hpp"
 #include "compare/figures/solids.hpp"
 #include "compare/figures/water.hpp"
 
@@ -87,11 +88,9 @@ std::string panel_label(const SnapshotPanel& panel, const Row& row) {
 
 /// Plot command of one panel; the picture lies under the line of the free surface.
 std::string panel_plot(const SnapshotPanel& panel, const Table& surface, const std::string& image,
-                       double pixel) {
-  if (!panel.missing.empty()) {
-    return "set label 3 " + plot_label(panel.missing) +
-           " at graph 0.5,0.5 center textcolor rgb \"#606060\"\nplot 1/0 notitle\n";
-  }
+                       const SnapshotLayout& layout) {
+  if (!panel.missing.empty()) return missing_panel(panel.missing, layout.panel_width);
+  const double pixel = 1.0 / layout.pixels();
   std::string plot = "plot \"" + image + ".png\" binary filetype=png origin=(" +
                      plot_number(0.5 * pixel) + "," + plot_number(0.5 * pixel) +
                      ") dx=" + plot_number(pixel) + " dy=" + plot_number(pixel) +
@@ -109,13 +108,6 @@ std::string row_heading(const Row& row, const Scales& scales) {
   return "set label 1 \"{/:Italic t} = " + fixed_text(row.time.value(), 2) +
          " s,  {/:Italic T} = " + fixed_text(scales.dimensionless(row.time).value(), 2) +
          "\" at graph 0,1 left offset 0,character 1.45\n";
-}
-
-/// "MPS paper, l0 = 5 mm" is wider than one of six columns.
-std::string two_lines(std::string label) {
-  if (const auto comma = label.find(", "); comma != std::string::npos)
-    label.replace(comma, 2, "\n");
-  return label;
 }
 
 /// A bar with the colours of p/(rho g H) from 0 to 1.
@@ -206,12 +198,11 @@ std::string row_script(const std::vector<Row>& rows, std::size_t r, const Table&
               axes(c == 0, r + 1 == rows.size());
     if (c == 0) script += row_heading(row, scales);
     if (r == 0) {
-      script += "set label 4 " + plot_label(two_lines(panel.run->label())) +
+      script += "set label 4 " + plot_label(label_in_two_lines(panel.run->label())) +
                 " at graph 0.5,1 center offset 0,character 3.6 font \",7.5\"\n";
     }
     script += solid_objects(panel.solids, panel.time) + panel_label(panel, row) +
-              panel_plot(panel, surface, image_name(r, c), 1.0 / layout.pixels()) +
-              "unset label\nunset object\n";
+              panel_plot(panel, surface, image_name(r, c), layout) + "unset label\nunset object\n";
   }
   return script;
 }

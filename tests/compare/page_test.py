@@ -4,6 +4,7 @@ import base64
 import importlib.util
 import io
 import json
+import re
 import tempfile
 import unittest
 import zipfile
@@ -61,6 +62,15 @@ class Page(unittest.TestCase):
         values = render.Values({"m": "rms", "n": "other"})
         self.assertEqual(values.named("/m", {"rms": "RMS"}), '<data data-key="/m" value="rms">RMS</data>')
         self.assertIn(">other<", values.named("/n", {"rms": "RMS"}))
+
+    def test_a_difference_has_the_digits_that_its_uncertainty_leaves(self):
+        def shown(e, u):
+            return re.sub("<[^>]*>", "", render.Values({"E": e, "U": u}).with_uncertainty("/E", "/U"))
+        self.assertEqual(shown(-0.0012345, 0.0234), "−0.001 ± 0.023")
+        self.assertEqual(shown(0.0000950, 0.0202), "0.000 ± 0.020")
+        self.assertEqual(shown(83370.4, 103110.0), "83370 ± 103110")
+        self.assertEqual(shown(0.123456, 0.0), "0.123 ± 0")
+        self.assertEqual(shown(0.0235, None), "0.0235 ± not known")
 
     def test_curves_are_the_rows_of_their_tables(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -86,6 +86,16 @@ class Values:
         before = math.floor(math.log10(abs(value))) + 1 if value else 1
         return self.number(pointer, min(max(3 - before, 0), 12))
 
+    def with_uncertainty(self, pointer, uncertainty):
+        """E ± U, both to the second significant digit of U, as the GUM (JCGM 100:2008, 7.2.6) has it."""
+        size = self.at(uncertainty)
+        if size is None:
+            return Markup("{} ± not known").format(self.magnitude(pointer))
+        if size == 0:
+            return Markup("{} ± {}").format(self.magnitude(pointer), self.integer(uncertainty))
+        decimals = min(max(1 - math.floor(math.log10(size)), 0), 12)
+        return Markup("{} ± {}").format(self.number(pointer, decimals), self.number(uncertainty, decimals))
+
     def signed(self, pointer, decimals):
         """With its sign, + or −."""
         value = self.at(pointer)

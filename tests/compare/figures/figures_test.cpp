@@ -270,5 +270,17 @@ TEST(Figures, OfAStudyAreFoundByTheirNames) {
                     HasSubstr("wall_pressure")));
 }
 
+TEST(Figures, WithoutPublishedSeriesNoneIsShownShifted) {
+  const SyntheticStudy files;
+  std::string text = read_text(files.study());
+  const std::string published = "published = [\"late\"]\n";
+  text.erase(text.find(published), published.size());
+  testing::write_text(files.study(), text);
+  const StudyResult study = files.collected();
+  for (const Figure& figure : figures_of(study)) EXPECT_NE(figure.name, "fig8_shifted");
+  EXPECT_THAT(error_of([&] { static_cast<void>(figure_of(study, "fig8_shifted")); }),
+              HasSubstr("without published series of the leading edge"));
+}
+
 }  // namespace
 }  // namespace surge::compare
