@@ -18,7 +18,10 @@ from project import ALL, CASE, SOURCE, STUDY, Project
 class Repetition(Project):
     def test_a_second_call_repeats_only_what_changed(self):
         self.succeed(ran=ALL)
+        engine = self.root / ".snakemake/allrun.log"
+        started = engine.stat().st_mtime_ns
         self.succeed(ran=[])
+        self.assertEqual(engine.stat().st_mtime_ns, started, "nothing to do starts no engine")
 
         with self.subTest("comments and times of files decide nothing"):
             self.write("particle/cases/case.toml", "# another comment\n" + CASE)
